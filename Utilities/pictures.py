@@ -6,6 +6,7 @@
     pictures.py holes MESH.ply OUT.vtp
     pictures.py phantom SURFACE VOXELS SLICE_DISTANCE TYPE NOISE OUT.vti OUT.vtp
     pictures.py scan NAME OUT.vti
+    pictures.py slices VOLUME.nii.gz STEP OUT.vti
     pictures.py labels VOLUME.nii.gz ISO_VALUE OUT.vti
     pictures.py scatter MESH.ply OUT.png
     pictures.py prefixes MESH.ply OUT.png OUT.png OUT.png
@@ -356,5 +357,5 @@ def join(out, *paths):
 
 
 if __name__ == "__main__":
-    {"mesh": mesh, "coarse": coarse, "holes": holes, "phantom": phantom, "scan": scan, "labels": labels, "scatter": scatter, "prefixes": prefixes, "combing": combing,
+    {"mesh": mesh, "coarse": coarse, "holes": holes, "phantom": phantom, "scan": scan, "slices": slices, "labels": labels, "scatter": scatter, "prefixes": prefixes, "combing": combing,
      "texture": texture, "edges": edges, "strokes": strokes, "join": join}[sys.argv[1]](*sys.argv[2:])

@@ -413,19 +413,16 @@ CutSamples sampleCut(const GridField<T>& field, double isoValue, CutSurface kind
   {
     return all;
   }
-  if (resampling.slices)
+  const std::vector<CutStrip> strips = cutStrips(field.geometry(), first, last);
+  if (resampling.slices && !strips.empty())
   {
     const std::vector<float> distances =
       sliceDistances(field, isoValue, resampling.ofMask, *resampling.slices);
-    IsoSurfaceResampling ofDistances = resampling;
-    ofDistances.slices = {};
-    ofDistances.ofMask = false;
-    return sampleCut(
-      GridField<float>(field.geometry(), distances), 0.0, kind, first, last, selection, ofDistances);
+    return sampleCut(GridField<float>(field.geometry(), distances), 0.0, kind, first, last, selection,
+      resampling.ofDistances());
   }
   const CutRequest<T> request{ field, isoValue, kind, { first, last }, selection, resampling,
     resamplingOfSurface(resampling, dimensions) };
-  const std::vector<CutStrip> strips = cutStrips(field.geometry(), first, last);
   std::vector<CutSamples> samples(strips.size());
   parallelFor(strips.size(),
     [&](std::size_t i)

@@ -80,12 +80,12 @@ struct ResampledRequest
   SampleReader<Work> read;
   /// Whether a cell of the grid lacks a corner.
   std::function<bool(const glm::ivec3& cell)> lacksCorner;
-  std::span<const double> isoValues; ///< one of a mask
+  std::span<const double> isoValues; ///< one of a mask, or of distances
   SampleOptions options;
   CellSelection selection;
   IsoSurfaceResampling resampling;
   int projectionSteps;
-  std::optional<LabelSource<Work>> labels = {}; ///< whose borders normals show, where they are no mask's
+  std::optional<LabelSource<Work>> labels = {}; ///< whose borders normals show, of distances
 };
 
 /// Samples a grid tile by tile. Cells and positions are those of the resampled grid unless called the grid's

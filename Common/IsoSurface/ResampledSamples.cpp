@@ -162,20 +162,21 @@ bool sampleResampledIsoSurfaces(const GridField<T>& field, std::span<const doubl
     return sampleGrid<T, T>(field, nullptr, 0.0, isoValues, options, selection, resampling, projectionSteps,
       ranges, grow, counts, progress);
   }
+  // About a fourth of the work.
+  const double share = 0.25;
+  const auto partOf = [&](double begin, double end)
+  { return [&, begin, end](double done) { return !progress || progress(begin + done * (end - begin)); }; };
   const std::vector<float> distances =
-    sliceDistances(field, isoValues.front(), resampling.ofMask, *resampling.slices, progress);
+    sliceDistances(field, isoValues.front(), resampling.ofMask, *resampling.slices, partOf(0.0, share));
   if (distances.empty())
   {
     return false;
   }
   constexpr double contour = 0.0;
-  IsoSurfaceResampling ofDistances = resampling;
-  ofDistances.slices = {};
-  ofDistances.ofMask = false;
   // Of another iso-value, ranges would be others.
   return sampleGrid(GridField<float>(field.geometry(), distances), resampling.ofMask ? &field : nullptr,
-    isoValues.front(), std::span(&contour, 1), options, selection, ofDistances, projectionSteps, nullptr,
-    grow, counts, progress);
+    isoValues.front(), std::span(&contour, 1), options, selection, resampling.ofDistances(), projectionSteps,
+    nullptr, grow, counts, partOf(share, 1.0));
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

@@ -44,12 +44,21 @@ struct IsoSurfaceResampling
   /// Whether values are labels: each is replaced by whether it is at or above the iso-value, 1 or 0, before
   /// anything else is made of it, and the surface is that of this mask at maskIsoValue.
   bool ofMask = false;
-  /// Whether what is resampled are distances from the contours within these slices, and the surface is that
-  /// of a distance of 0, see SliceDistances.
+  /// If given, what is resampled are distances from the contours within these slices, and the surface is that
+  /// of a distance of 0, see sliceDistances.
   std::optional<ThickSlices> slices = {};
   /// Of labels: whether there is a groove, of normals, between those that meet on the surface, see
   /// LabelBorderNormals.
   bool borders = false;
+
+  /// What is left to do with the distances themselves.
+  IsoSurfaceResampling ofDistances() const
+  {
+    IsoSurfaceResampling rest = *this;
+    rest.slices = {};
+    rest.ofMask = false;
+    return rest;
+  }
 
   /// Whether the grid stays what it is.
   bool isIdentity() const
@@ -127,9 +136,9 @@ private:
 /// @param selection cells of the grid itself; all parts of a skipped cell, or of one with a missing corner,
 ///   are skipped
 /// @param projectionSteps see projectSamples
-/// @param ranges kept from call to call for the same values; the caller must clear them when the values
-///   change. May be null
-/// @param grow called for all samples, or for those of one surface of a mask after the other
+/// @param ranges kept from call to call for the same values, but of distances; the caller must clear them
+///   when the values change. May be null
+/// @param grow called for all samples, or for those of one surface after the other, of masks and distances
 /// @param counts output: the number of samples of each iso-value
 /// @return false when `progress` asked to stop
 template <class T>

@@ -101,7 +101,8 @@ NoiseEstimate estimateNoise(
 /// SmoothingTarget::Normals the surface by .02 voxels; with 2.5 those of a tube of radius 4 are worse than
 /// with 2 (1.7 and 1.5).
 ///
-/// Where distances are interpolated between slices, these ask for no more than 2.
+/// Where distances are interpolated between slices (`shapeBased`), the slices ask for no more than 3, and
+/// those of labels for nothing.
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
 /// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels, of
@@ -111,8 +112,8 @@ constexpr double mostSuggestedSmoothing = 2.0;
 constexpr double sharpSmoothing = 1.2;
 
 /// Whether distances are the better guess between slices than values, see sliceDistances: where these are
-/// thick and sharp, of labels and where values make terraces. Of a bunny in slices of 3 voxels that blur into
-/// each other, with a point spread of .7 slices, values are: F .67 and .57 of splatting lines.
+/// thick and sharp, or where values make terraces; of labels always. Where slices of 3 voxels blur into each
+/// other, with a point spread of .7 slices, values are: F of a bunny's splatting lines is .67 and .57.
 bool suggestShapeBasedInterpolation(const NoiseEstimate& estimate, const glm::dvec3& spacing);
 
 /// suggestSmoothing for values that are measured, and for labels.
@@ -133,7 +134,7 @@ struct SuggestedSmoothing
 {
   SuggestedDeviations byValues = {}; ///< where values are interpolated between slices
   SuggestedDeviations byShapes = {}; ///< where distances are
-  bool labels = false;          ///< whether a surface seems to be that of labels
+  bool labels = false;               ///< whether a surface seems to be that of labels
   /// Whether borders between labels are fit to be drawn: few of them are ragged.
   bool clearBorders = true;
   bool shapeBased = false; ///< see suggestShapeBasedInterpolation

@@ -88,6 +88,7 @@ InkImageSlabs::InkImageSlabs(
   : Producer(port->GetProducer())
   , Port(port->GetIndex())
   , Array(array)
+  , Budget(budget)
 {
   this->Producer->UpdateInformation();
   vtkInformation* info = this->Producer->GetOutputInformation(this->Port);
@@ -127,14 +128,15 @@ InkImageSlabs::InkImageSlabs(
 
 InkImageSlabs::~InkImageSlabs() = default;
 
-std::uint64_t InkImageSlabs::GetBytes(vtkInformation* info, const std::string& array)
+std::uint64_t InkImageSlabs::GetBytes(vtkInformation* info, const std::string& array, int bytesBeside)
 {
   int extent[6] = { 0, -1, 0, -1, 0, -1 };
   info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent);
   // In double first, in which nothing overflows: a sparse grid's box may have more voxels than 2^64.
   const Announced announced(info, array);
   double bytes =
-    static_cast<double>(vtkDataArray::GetDataTypeSize(announced.Type)) * std::max(announced.Components, 1);
+    static_cast<double>(vtkDataArray::GetDataTypeSize(announced.Type)) * std::max(announced.Components, 1) +
+    bytesBeside;
   for (int axis = 0; axis < 3; ++axis)
   {
     bytes *= std::max(static_cast<double>(extent[2 * axis + 1]) - extent[2 * axis] + 1.0, 0.0);
@@ -154,17 +156,28 @@ std::uint64_t InkImageSlabs::GetSliceBytes() const
     static_cast<std::uint64_t>(vtkDataArray::GetDataTypeSize(this->ScalarType));
 }
 
-std::uint64_t InkImageSlabs::GetBytesAtOnce(int slices) const
+int InkImageSlabs::GetAtOnce(int bytesBeside) const
 {
-  // Each voxel comes with a byte that marks a cell.
-  return static_cast<std::uint64_t>(slices) *
-    (this->GetSliceBytes() +
-      static_cast<std::uint64_t>(this->Dimensions[0]) * static_cast<std::uint64_t>(this->Dimensions[1]));
+  // A whole image has memory of its own.
+  const std::uint64_t bytes =
+    this->GetBytesAtOnce(1, bytesBeside) - (this->IsWhole() ? this->GetBytesAtOnce(1) : 0);
+  return bytes == 0
+    ? this->AtOnce
+    : static_cast<int>(std::min(this->Budget.ForSlices() / bytes, static_cast<std::uint64_t>(this->AtOnce)));
 }
 
-std::uint64_t InkImageSlabs::GetMemoryFor(int slices) const
+std::uint64_t InkImageSlabs::GetBytesAtOnce(int slices, int bytesBeside) const
 {
-  return InkMemoryBudget::LimitFor(this->GetBytesAtOnce(slices), 4);
+  // Each voxel comes with a byte that marks a cell.
+  const std::uint64_t voxels =
+    static_cast<std::uint64_t>(this->Dimensions[0]) * static_cast<std::uint64_t>(this->Dimensions[1]);
+  return static_cast<std::uint64_t>(slices) *
+    (this->GetSliceBytes() + voxels * static_cast<std::uint64_t>(1 + bytesBeside));
+}
+
+std::uint64_t InkImageSlabs::GetMemoryFor(int slices, int bytesBeside) const
+{
+  return InkMemoryBudget::LimitFor(this->GetBytesAtOnce(slices, bytesBeside), 4);
 }
 
 vtkSmartPointer<vtkImageData> InkImageSlabs::Make(const int wanted[6])

@@ -2,6 +2,7 @@
 #ifndef InkImageSlabs_h
 #define InkImageSlabs_h
 
+#include "InkMemoryBudget.h"
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
 
 #include "vtkImageData.h"
@@ -14,7 +15,6 @@
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
 class vtkInformation;
-struct InkMemoryBudget;
 
 /// The slices along z of an image that an algorithm makes, a few at a time: those that are needed are asked
 /// for, by update extents, where memory has no room for all. What is taken of it is a point array of one
@@ -35,8 +35,9 @@ public:
   /// either side for gradients.
   static constexpr int FewestAtOnce = 4;
 
-  /// How many bytes an array of an image takes, of which nothing but this information has been made.
-  static std::uint64_t GetBytes(vtkInformation* info, const std::string& array = {});
+  /// How many bytes an array of an image takes, of which nothing but this information has been made, with so
+  /// many for each voxel beside its values.
+  static std::uint64_t GetBytes(vtkInformation* info, const std::string& array = {}, int bytesBeside = 0);
 
   /// Where the voxels lie: extent, origin, spacing and direction, without values.
   vtkImageData* GetFrame() const { return this->Frame; }
@@ -46,8 +47,10 @@ public:
 
   /// How many slices can be had at a time.
   int GetAtOnce() const { return this->AtOnce; }
+  /// How many can be worked with at a time, with so many bytes for each voxel beside its value.
+  int GetAtOnce(int bytesBeside) const;
   /// The limit of memory with which so many can.
-  std::uint64_t GetMemoryFor(int slices) const;
+  std::uint64_t GetMemoryFor(int slices, int bytesBeside = 0) const;
   bool IsWhole() const { return this->AtOnce == this->Dimensions[2]; }
 
   /// Slices from `first` up to, but without, `end`, counted from 0, as a part of the whole image. It shows
@@ -57,13 +60,14 @@ public:
 
 private:
   std::uint64_t GetSliceBytes() const;
-  std::uint64_t GetBytesAtOnce(int slices) const;
+  std::uint64_t GetBytesAtOnce(int slices, int bytesBeside = 0) const;
   vtkSmartPointer<vtkImageData> Make(const int wanted[6]);
   void Load(int first, int end);
 
   vtkSmartPointer<vtkAlgorithm> Producer;
   int Port;
   std::string Array;
+  InkMemoryBudget Budget;
   vtkSmartPointer<vtkImageData> Frame;
   std::array<int, 3> Dimensions;
   int ScalarType;

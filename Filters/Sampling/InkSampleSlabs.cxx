@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSampleSlabs.h"
 
+#include "Fields/Resampling/SliceDistances.h"
 #include "InkImageSlabs.h"
 #include "InkMemoryBudget.h"
 #include "InkReportException.h"
@@ -227,15 +228,15 @@ ink::FiniteRange InkSampleSlabs(InkImageSlabs& slabs, vtkInkIsoSurfaceSampler* s
   LayerSampler sampler(slabs, settings, cellIds, budget, progress);
   const int slices = slabs.GetDimensions()[2];
   const int reach = sampler.GetReach();
-  const int atOnce = slabs.IsWhole() ? slices : slabs.GetAtOnce() - 1 - 2 * reach;
+  const bool shapeBased = settings->FindThickSlices(slabs.GetFrame()).has_value();
+  const int most = slabs.GetAtOnce(shapeBased ? InkBytesOfDistance : 0);
+  const int atOnce = most == slices ? slices : most - 1 - 2 * reach;
   if (atOnce < 1)
   {
-    const std::optional<ink::ThickSlices> shapes = settings->FindThickSlices(slabs.GetFrame());
-    const bool reachesFar = shapes && shapes->samples().z > 0;
     throw std::runtime_error("the smoothed surface needs " + std::to_string(2 + 2 * reach) +
-      " slices at a time, and there is memory for " + std::to_string(slabs.GetAtOnce()) +
+      " slices at a time, and there is memory for " + std::to_string(most) +
       ": expected more MaximumMemory than " + InkFormatMemory(budget.Limit) + ", " +
-      (reachesFar ? "ShapeBasedInterpolation off, " : "") + "or less Smoothing");
+      (shapeBased ? "ShapeBasedInterpolation off, " : "") + "or less Smoothing");
   }
   ink::FiniteRange values;
   for (int begin = 0; begin == 0 || begin < slices - 1; begin += atOnce)

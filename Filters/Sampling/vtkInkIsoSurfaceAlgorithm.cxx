@@ -92,7 +92,7 @@ bool vtkInkIsoSurfaceAlgorithm::SuggestLabelMap(double isoValue)
 
 bool vtkInkIsoSurfaceAlgorithm::SuggestShapeBasedInterpolation(double isoValue)
 {
-  return this->SuggestSmoothings(isoValue).shapeBased;
+  return this->LabelMap || this->SuggestSmoothings(isoValue).shapeBased;
 }
 
 bool vtkInkIsoSurfaceAlgorithm::SuggestLabelBorders(double isoValue)

@@ -153,8 +153,10 @@ public:
   /**
    * Of slices that are 1.8 times as far apart as samples within them, or more: interpolate between two slices
    * not their values but the distances from the contour that the iso-value has in each, see
-   * ink::SliceDistances. Surfaces that move by more than their edges' width from one slice to the next are
-   * terraces otherwise. Of other volumes nothing changes. Default: off.
+   * ink::sliceDistances. Surfaces that move by more than their edges' width from one slice to the next are
+   * terraces otherwise. Cells are divided
+   * across slices then, also without Smoothing and Subdivision. Of other volumes nothing changes. Default:
+   * off.
    */
   vtkSetMacro(ShapeBasedInterpolation, bool);
   vtkGetMacro(ShapeBasedInterpolation, bool);
@@ -343,7 +345,7 @@ public:
   /// @param frame where the voxels lie
   std::optional<ink::ThickSlices> FindThickSlices(vtkImageData* frame) const;
 
-  /// SuggestSmoothing, whatever LabelMap is, and SuggestLabelMap at once.
+  /// All that is suggested at once, whatever LabelMap and ShapeBasedInterpolation are.
   virtual ink::SuggestedSmoothing SuggestSmoothings(double isoValue) = 0;
 
   /// The iso-values; without any, that of the surface that a file is about.

@@ -35,7 +35,8 @@
  *
  * With Smoothing or Subdivision, values are smoothed and cells divided tile by tile, and no more of the
  * resampled image exists at any time; "cell" then means such a smaller cell, and points are sorted by
- * iso-value, then by tile, then by cell.
+ * iso-value, then by tile, then by cell. With ShapeBasedInterpolation of thick slices, distances take 4 bytes
+ * for each voxel while points are made, and other iso-values read the whole image again.
  *
  * With MaximumMemory, a large image is asked for a few slices at a time, see there. The index then is of no
  * use.

@@ -2,6 +2,7 @@
 // vtkInkIsoSurfaceSampler of images that it asks for a few slices at a time.
 #include "vtkInkIsoSurfaceSampler.h"
 
+#include "Fields/Resampling/SliceDistances.h"
 #include "InkCellCenters.h"
 #include "InkImageGrid.h"
 #include "InkImageSlabs.h"
@@ -27,10 +28,11 @@
 bool vtkInkIsoSurfaceSampler::TakesSlabs(vtkInformation* input, vtkInformation* output)
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
+  const bool shapeBased = this->FindThickSlices(InkMakeFrame(input)).has_value();
   return this->MaximumMemory > 0 && output->Get(SDDP::UPDATE_NUMBER_OF_PIECES()) <= 1 &&
     vtkImageData::SafeDownCast(input->Get(vtkDataObject::DATA_OBJECT())) &&
     !vtkTrivialProducer::SafeDownCast(this->GetInputAlgorithm()) &&
-    InkImageSlabs::GetBytes(input, this->GetArrayName()) >
+    InkImageSlabs::GetBytes(input, this->GetArrayName(), shapeBased ? InkBytesOfDistance : 0) >
     InkMemoryBudget::OfMebibytes(this->MaximumMemory).ForWholeImage();
 }
 

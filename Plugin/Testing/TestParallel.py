@@ -34,7 +34,7 @@ INK = sys.argv[6] if len(sys.argv) > 6 else None
 # for five pixels of two pictures in which four differ more from one.
 OF_TWO = (
     *("paper", "dense-lines", "wavelet-lines", "nii-stipples", "pvti-stipples", "pvti-solid-illustration", "pvtp-contours"),
-    "pvti-labels-solid-illustration",
+    *("pvti-labels-solid-illustration", "slices-solid-illustration"),
     *("pvtp-line-art", "blocks-lines", "largest-parts-solid-lines", "mesh-chance-stipples"),
 )
 
@@ -138,8 +138,8 @@ class TestParallel(unittest.TestCase):
         with tempfile.TemporaryDirectory() as inputs:
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
-            self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + (3 if INK else 0))
-            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 1 + 4 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6)
+            self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + 2 + (3 if INK else 0))
+            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 1 + 4 + 1 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)
             for name, picture in expected_pictures.items():

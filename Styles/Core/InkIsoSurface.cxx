@@ -230,11 +230,18 @@ std::string InkIsoSurface::Prepare(vtkInkStyle* style, std::span<vtkImageData* c
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
   sampler->SetValues(values);
   ink::SuggestedSmoothing suggested;
-  if (this->AsksForSuggestion())
+  std::array hasThickSlices = { 0.0 };
+  for (vtkImageData* image : images)
+  {
+    hasThickSlices[0] = std::max(hasThickSlices[0], HasThickSlices(image) ? 1.0 : 0.0);
+  }
+  style->GetProcesses().TakeGreatest(hasThickSlices);
+  if (this->AsksForSuggestion(hasThickSlices[0] > 0.0))
   {
     suggested = this->FindSmoothing(style, whole(), values);
   }
-  const bool labels = this->TakeLabels(sampler, suggested,
+  const bool labels = this->TakeLabels(
+    sampler, suggested, [] { return true; },
     [&, least = *std::min_element(values.begin(), values.end())](bool ofLabels)
     {
       std::vector<double> isSolid = { static_cast<double>(std::all_of(whole().begin(), whole().end(),
@@ -265,24 +272,33 @@ bool InkIsoSurface::IsSlab(vtkImageData* image)
   return sizes[0] < flat * sizes[1];
 }
 
-bool InkIsoSurface::AsksForSuggestion() const
+bool InkIsoSurface::HasThickSlices(vtkImageData* frame)
+{
+  const double* spacing = frame->GetSpacing();
+  return ink::thickSlices({ spacing[0], spacing[1], spacing[2] }).has_value();
+}
+
+bool InkIsoSurface::AsksForSuggestion(bool hasThickSlices) const
 {
   return this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC ||
-    this->ShapeBasedInterpolation == SHAPES_AUTOMATIC ||
+    (this->ShapeBasedInterpolation == SHAPES_AUTOMATIC && hasThickSlices) ||
     (this->LabelMap == LABELS_ON && this->LabelBorders == BORDERS_AUTOMATIC);
 }
 
 bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
-  const std::function<bool(bool labels)>& isSolid) const
+  const std::function<bool()>& hasRoomForShapes, const std::function<bool(bool labels)>& isSolid) const
 {
   const bool labels = this->LabelMap == LABELS_ON || (this->LabelMap == LABELS_AUTOMATIC && suggested.labels);
-  const bool shapeBased = this->ShapeBasedInterpolation == SHAPES_AUTOMATIC
-    ? suggested.shapeBased
-    : this->ShapeBasedInterpolation == SHAPES_ON;
-  // With normals, thin parts stay.
-  const bool smoothsSurface = labels && suggested.get(shapeBased).keepsLabels;
   sampler->SetLabelMap(labels);
-  sampler->SetShapeBasedInterpolation(shapeBased);
+  sampler->SetShapeBasedInterpolation(this->ShapeBasedInterpolation == SHAPES_AUTOMATIC
+      ? suggested.shapeBased || labels
+      : this->ShapeBasedInterpolation == SHAPES_ON);
+  if (this->ShapeBasedInterpolation == SHAPES_AUTOMATIC && !hasRoomForShapes())
+  {
+    sampler->ShapeBasedInterpolationOff();
+  }
+  // With normals, thin parts stay.
+  const bool smoothsSurface = labels && suggested.get(sampler->GetShapeBasedInterpolation()).keepsLabels;
   sampler->SetLabelBorders(this->LabelBorders == BORDERS_AUTOMATIC ? labels && suggested.clearBorders
                                                                    : this->LabelBorders == BORDERS_ON);
   sampler->SetSmoothingTarget(this->SmoothingTarget != TARGET_AUTOMATIC ? this->SmoothingTarget

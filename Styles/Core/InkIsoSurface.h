@@ -193,13 +193,15 @@ private:
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
   /// Whether something is chosen by what FindSmoothing finds.
-  bool AsksForSuggestion() const;
+  bool AsksForSuggestion(bool hasThickSlices) const;
+  static bool HasThickSlices(vtkImageData* frame);
   /// Makes a sampler take values as labels or not, with borders, the cut, the smoothing's target and the
   /// interpolation that suit these.
+  /// @param hasRoomForShapes whether memory has room for what distances reach into; asked where it matters
   /// @param isSolid whether caps suit what is sampled, labels or not; asked where it matters
   /// @return whether as labels
   bool TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,
-    const std::function<bool(bool labels)>& isSolid) const;
+    const std::function<bool()>& hasRoomForShapes, const std::function<bool(bool labels)>& isSolid) const;
   /// Whether an image is less than half as thick as it is wide, as scans of a few slices.
   static bool IsSlab(vtkImageData* image);
   template <class Value>

@@ -67,15 +67,11 @@ public:
     return smoothing;
   }
 
-  /// Interpolates values between slices, if memory has no room for those that distances reach into.
-  void FitShapes()
+  /// Whether memory has room for what distances reach into; notes it if not.
+  bool HasRoomForShapes()
   {
-    if (this->Sampler->GetShapeBasedInterpolation() &&
-      !this->HasRoomFor(this->CountSlices(0.0, 1), "values are interpolated between slices, not contours",
-        "ShapeBasedInterpolation off"))
-    {
-      this->Sampler->ShapeBasedInterpolationOff();
-    }
+    return this->HasRoomFor(this->CountSlices(0.0, 1), "values are interpolated between slices, not contours",
+      "ShapeBasedInterpolation off");
   }
 
   /// What memory has room for of what was suggested; nothing was if it could not be measured.
@@ -142,12 +138,14 @@ private:
       return true;
     }
     const int needed = std::min(slices, this->Slabs->GetDimensions()[2]);
-    if (this->Slabs->GetAtOnce() >= needed)
+    const int beside = this->Sampler->FindThickSlices(this->Slabs->GetFrame()) ? InkBytesOfDistance : 0;
+    const int room = this->Slabs->GetAtOnce(beside);
+    if (room >= needed)
     {
       return true;
     }
-    this->Style->AddNote(otherwise + ", as memory has room for " + std::to_string(this->Slabs->GetAtOnce()) +
-      " slices at a time: MaximumMemory " + InkFormatMemory(this->Slabs->GetMemoryFor(needed)) +
+    this->Style->AddNote(otherwise + ", as memory has room for " + std::to_string(room) +
+      " slices at a time: MaximumMemory " + InkFormatMemory(this->Slabs->GetMemoryFor(needed, beside)) +
       " is enough; " + setting + " asks for no more");
     return false;
   }
@@ -235,11 +233,13 @@ std::string InkIsoSurface::SampleBy(
   SamplingOfParts sampling(style, sampler, slabs ? &*slabs : nullptr, values);
   // Without a measure there are no borders.
   ink::SuggestedSmoothing suggested{ .clearBorders = false };
-  if (this->AsksForSuggestion() && sampling.CanMeasure())
+  const bool hasThickSlices = slabs && HasThickSlices(slabs->GetFrame());
+  if (this->AsksForSuggestion(hasThickSlices) && sampling.CanMeasure())
   {
     suggested = sampling.SuggestSmoothing();
   }
-  const bool labels = this->TakeLabels(sampler, suggested,
+  const bool labels = this->TakeLabels(
+    sampler, suggested, [&] { return sampling.HasRoomForShapes(); },
     [&](bool ofLabels)
     {
       if (!slabs)
@@ -249,7 +249,6 @@ std::string InkIsoSurface::SampleBy(
       const double least = *std::min_element(values.begin(), values.end());
       return (ofLabels || IsSlab(slabs->GetFrame())) && !InkSurroundsObject(*slabs, least);
     });
-  sampling.FitShapes();
   sampler->SetSmoothing(this->Smoothing < 0.0
       ? sampling.FitSmoothing(suggested.get(sampler->GetShapeBasedInterpolation()).get(labels))
       : this->Smoothing);

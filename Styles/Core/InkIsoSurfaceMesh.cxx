@@ -47,7 +47,8 @@ ink::IsoSurfaceResampling FindResampling(const ink::GridGeometry& grid, vtkInkIs
   const auto with = [&](int subdivision)
   {
     return ink::makeIsoSurfaceResampling(grid, settings->GetSmoothing(), subdivision,
-      static_cast<ink::SmoothingTarget>(settings->GetSmoothingTarget()));
+      static_cast<ink::SmoothingTarget>(settings->GetSmoothingTarget()), false,
+      settings->GetShapeBasedInterpolation());
   };
   int subdivision = settings->GetSubdivision();
   while (

@@ -68,9 +68,8 @@ double AngleOf(const Samples<float>& samples)
 int main()
 {
   Tradeoff knob("ShapeBasedInterpolation (vtkInkIsoSurfaceSampler)",
-    "Take contours where slices are sharp, above all for iso-values near what is outside, as the skin's in "
-    "MR "
-    "is; where slices blur into each other, values are as good (ink::suggestShapeBasedInterpolation).",
+    "Take contours where slices are sharp, above all for iso-values near what is outside, as that of skin "
+    "in MR; where slices blur into each other, values are better (ink::suggestShapeBasedInterpolation).",
     "angle between normals and the true ones, degrees (root mean square): slices that are as sharp as their "
     "voxels, at the middle of the step and at a tenth of it, and slices with a point spread of .7 of their "
     "distance",

