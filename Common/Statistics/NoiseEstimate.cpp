@@ -425,8 +425,8 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     // Without a surface there is nothing to smooth.
     deviation =
       estimate.step > 0.0 ? std::min({ mostSuggestedSmoothing, 0.5 * thickness, estimate.keeping }) : 0.0;
-    return hasSlices && !hasShapes ? std::max(deviation, std::min(anisotropy, mostSliceSmoothing))
-                                   : deviation;
+    const double most = hasShapes ? mostSuggestedSmoothing : mostSliceSmoothing;
+    return hasSlices ? std::max(deviation, std::min(anisotropy, most)) : deviation;
   }
   if (estimate.step > 0.0)
   {

@@ -102,7 +102,7 @@ NoiseEstimate estimateNoise(
 /// with 2 (1.7 and 1.5).
 ///
 /// Where distances are interpolated between slices (`shapeBased`), the slices ask for no more than 3, and
-/// those of labels for nothing.
+/// those of labels for no more than 2.
 ///
 /// @param spacing the distance of samples along each axis, not 0; signs do not matter
 /// @return in multiples of the smallest spacing: 0, or from .3 to mostSuggestedSmoothing, of labels, of

@@ -18,7 +18,7 @@ import numpy
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkImagingCore import vtkImageChangeInformation, vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkStructuredPointsWriter
 from vtkmodules.vtkIOParallelXML import vtkXMLPImageDataWriter, vtkXMLPPolyDataWriter
@@ -44,6 +44,9 @@ def write_files(folder):
     volume = vtkRTAnalyticSource()
     volume.SetWholeExtent(0, 30, 0, 28, 0, 26)
     volume.SetCenter(15, 14, 13)
+    slices = vtkImageChangeInformation()
+    slices.SetInputConnection(volume.GetOutputPort())
+    slices.SetOutputSpacing(1, 1, 3)
     surface = vtkFlyingEdges3D()
     surface.SetInputConnection(volume.GetOutputPort())
     surface.SetValue(0, 150.0)
@@ -54,6 +57,7 @@ def write_files(folder):
         (vtkXMLImageDataWriter(), volume, "volume.vti"),
         (vtkMetaImageWriter(), volume, "volume.mhd"),
         (vtkXMLPImageDataWriter(), volume, "volume.pvti"),
+        (vtkXMLPImageDataWriter(), slices, "slices.pvti"),
         (vtkPolyDataWriter(), surface, "mesh.vtk"),
         (vtkPLYWriter(), surface, "mesh.ply"),
         (vtkXMLPolyDataWriter(), surface, "mesh.vtp"),
@@ -138,7 +142,7 @@ class TestParallel(unittest.TestCase):
         with tempfile.TemporaryDirectory() as inputs:
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
-            self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + 2 + (3 if INK else 0))
+            self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + 1 + (3 if INK else 0))
             self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 1 + 4 + 1 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)

@@ -116,12 +116,10 @@ labels = Calculator(Input=volumes["pvti"], ResultArrayName="Labels", Function="f
 draw("pvti-labels-solid-illustration", labels, "Illustration", IllustrationAutomaticIsoValue=0, IllustrationIsoValue=1.5,
     IllustrationLabelMap="On", IllustrationLabelBorders="On", ColorArrayName=["POINTS", "Labels"])
 # Thick slices, between which contours are interpolated.
-for name in ("nii", "pvti"):
-    volume = volumes[name]
-    volume.UpdatePipeline()
-    thick = ExtractSubset(Input=volume, VOI=volume.GetDataInformation().GetExtent(), SampleRateK=3)
-    SetActiveSource(thick)
-    save_points(f"{name}-slices", InkIsoSurfaceSampler(Input=thick, Isosurfaces=[150.0], Smoothing=1, ShapeBasedInterpolation=1))
+thick = OpenDataFile(f"{INPUT}/slices.pvti")
+thick.UpdatePipeline()
+SetActiveSource(thick)
+save_points("slices-sampler", InkIsoSurfaceSampler(Input=thick, Isosurfaces=[150.0], Smoothing=1, ShapeBasedInterpolation=1))
 draw("slices-solid-illustration", thick, "Illustration", IllustrationShapeBasedInterpolation="On")
 draw("outlined-solid-illustration", wavelet, "Illustration", IllustrationSilhouettes=1)
 draw("outlined-lines", wavelet, "Splatting Lines", Phi=100, LinesSilhouettes=1)

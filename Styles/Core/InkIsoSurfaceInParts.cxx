@@ -68,10 +68,11 @@ public:
   }
 
   /// Whether memory has room for what distances reach into; notes it if not.
-  bool HasRoomForShapes()
+  /// @param smoothing, subdivision those that are given, or none
+  bool HasRoomForShapes(double smoothing, int subdivision)
   {
-    return this->HasRoomFor(this->CountSlices(0.0, 1), "values are interpolated between slices, not contours",
-      "ShapeBasedInterpolation off");
+    return this->HasRoomFor(this->CountSlices(smoothing, subdivision),
+      "values are interpolated between slices, not contours", "ShapeBasedInterpolation off");
   }
 
   /// What memory has room for of what was suggested; nothing was if it could not be measured.
@@ -239,7 +240,8 @@ std::string InkIsoSurface::SampleBy(
     suggested = sampling.SuggestSmoothing();
   }
   const bool labels = this->TakeLabels(
-    sampler, suggested, [&] { return sampling.HasRoomForShapes(); },
+    sampler, suggested,
+    [&] { return sampling.HasRoomForShapes(std::max(this->Smoothing, 0.0), std::max(this->Subdivision, 1)); },
     [&](bool ofLabels)
     {
       if (!slabs)

@@ -482,29 +482,33 @@ def test_label_maps(ink, tmp_path):
 
 
 @pytest.mark.one_build
-def test_thick_slices(ink, tmp_path):
+def test_thick_slices(ink, refused, tmp_path):
     """Contours are interpolated a few slices at a time as in memory, unless memory has no room for what distances reach into."""
-    z, y, x = np.ogrid[:72, :512, :512]
-    cylinders = {"1,1,4": np.hypot(y - 255.7, x - 255.2 - 3 * (z - 36)) - 120, "4,1,1": np.hypot(y - 255.7, z - 36 - 0.5 * (x - 256)) - 22}
+    z, y, x = np.ogrid[:360, :256, :256]
+    tubes = {"1,1,4": np.hypot(y - 127.7, x - 127.2 - 50 * np.sin(z / 15)), "4,1,1": np.hypot(y - 127.7, z - 180 - 50 * np.sin(x / 15))}
 
-    def draw(spacing, memory, interpolation):
-        np.clip(100 - 60 * cylinders[spacing], 0, 200).astype(np.uint8).tofile(tmp_path / "v.raw")
-        out = tmp_path / "picture.png"
-        result = ink("render", tmp_path / "v.raw", "--raw", "512x512x72:uint8", "--spacing", spacing, "--iso", 20, "--size",
-                     "300x300", "--memory", memory, "--style", "splatting-lines", "--smoothing", 1, "--subdivision", 1,
-                     "--shape-based-interpolation", interpolation, "-o", out)
+    def command(spacing, memory, interpolation):
+        np.clip(100 - 60 * (tubes[spacing] - 40), 0, 200).astype(np.uint8).tofile(tmp_path / "v.raw")
+        return ("render", tmp_path / "v.raw", "--raw", "256x256x360:uint8", "--spacing", spacing, "--iso", 20, "--size", "300x300",
+                "--memory", memory, "--style", "splatting-lines", "--smoothing", 1, "--subdivision", 1,
+                "--shape-based-interpolation", interpolation, "-o", tmp_path / "picture.png")
+
+    def draw(*arguments):
+        result = ink(*command(*arguments))
         assert result.code == 0, result
-        return ink_files.read_png(out).astype(int), result.err
+        return ink_files.read_png(tmp_path / "picture.png").astype(int), result.err
 
-    for spacing in cylinders:
+    # Room for 21 slices, and for 28.
+    for spacing, memory in (("1,1,4", LITTLE), ("4,1,1", "138MiB")):
         contours, _ = draw(spacing, PLENTY, "on")
         assert contours.min() < 100
-        in_parts, notes = draw(spacing, LITTLE if spacing == "1,1,4" else "224MiB", "on")
+        in_parts, notes = draw(spacing, memory, "on")
         assert np.abs(in_parts - contours).max() <= 1 and "contours" not in notes
-        values, _ = draw(spacing, PLENTY, "off")
-        assert np.abs(values - contours).max() > 30
+        assert np.abs(draw(spacing, PLENTY, "off")[0] - contours).max() > 30
     assert np.abs(draw("1,1,4", PLENTY, "auto")[0] - draw("1,1,4", PLENTY, "on")[0]).max() == 0
     # Across x, distances reach into the slices that are read.
-    in_parts, notes = draw("4,1,1", LITTLE, "on")
-    assert "values are interpolated between slices, not contours, as memory has room for" in notes
+    message = refused(1, *command("4,1,1", LITTLE, "on"))
+    assert "needs 26 slices at a time" in message and "--shape-based-interpolation off, or less --smoothing" in message
+    in_parts, notes = draw("4,1,1", LITTLE, "auto")
+    assert "values are interpolated between slices, not contours, as memory has room for 21 slices at a time" in notes
     assert np.abs(in_parts - draw("4,1,1", PLENTY, "off")[0]).max() <= 1

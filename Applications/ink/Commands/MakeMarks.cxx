@@ -90,6 +90,7 @@ std::string inTermsOfInk(const std::string& problem)
   std::string text = problem;
   const std::pair<const char*, const char*> words[] = { { "(MaximumMemory)", "(--memory)" },
     { "MaximumMemory", "--memory" }, { "less Smoothing", "less --smoothing" },
+    { "ShapeBasedInterpolation off", "--shape-based-interpolation off" },
     { "Smoothing 0 asks", "--smoothing 0 asks" }, { "Subdivision 1 asks", "--subdivision 1 asks" },
     { "SeeThrough", "--see-through" }, { "or the style ", "or --style " } };
   for (const auto& [from, to] : words)

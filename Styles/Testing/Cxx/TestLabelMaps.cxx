@@ -198,11 +198,7 @@ TEST(LabelMaps, ThinPartsAndScansKeepTheirSurface)
     values->SetComponent(i, 0, x == 20 || x == 21 ? 1 : 0);
   }
   values->Modified();
-  surface.SetShapeBasedInterpolation(InkIsoSurface::SHAPES_OFF);
   EXPECT_EQ(targetOf(labels, 0.5), vtkInkIsoSurfaceSampler::NORMALS);
-  // Of contours it need not be so wide.
-  surface.SetShapeBasedInterpolation(InkIsoSurface::SHAPES_ON);
-  EXPECT_EQ(targetOf(labels, 0.5), vtkInkIsoSurfaceSampler::SURFACE);
 }
 
 TEST(LabelMaps, MeshesHaveTheMasksOfAllIsoValues)
