@@ -76,7 +76,7 @@ constexpr double mostSliceSmoothing = 4.0;
 /// in slices of 7 and 14 times the voxels' width have whiskers.
 constexpr double mostShapeSmoothing = 3.0;
 /// Where values between slices are what interpolation says, half of an edge lies inside as a median: .43 to
-/// .52 in phantoms whose slices blur into each other, .60 to .95 where foreheads have rings.
+/// .52 in phantoms whose slices blur into each other, .61 to .81 where foreheads have rings.
 constexpr double mostInnerShare = 0.58;
 /// From so many times as far apart on, slices of scans are sharp, and contours the better guess.
 constexpr double farShapes = 4.0;

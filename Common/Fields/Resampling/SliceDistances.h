@@ -43,8 +43,7 @@ std::optional<ThickSlices> thickSlices(const glm::dvec3& spacing);
 /// one slice to the next.
 ///
 /// Contours are the segments that marching squares finds, handed on from sample to sample, so that a few
-/// distances are up to .05 too large. A distance depends on ThickSlices::samples() around
-/// it, bitwise.
+/// distances are up to .05 too large. A distance depends on ThickSlices::samples() around it, bitwise.
 ///
 /// @param ofMask contours are half way between the samples on both sides
 /// @return in multiples of the smallest spacing, positive where samples are at or above the iso-value, up to
