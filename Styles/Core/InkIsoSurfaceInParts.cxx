@@ -71,8 +71,9 @@ public:
   /// @param smoothing, subdivision those that are given, or none
   bool HasRoomForShapes(double smoothing, int subdivision)
   {
-    return this->HasRoomFor(this->CountSlices(smoothing, subdivision),
-      "values are interpolated between slices, not contours", "ShapeBasedInterpolation off");
+    return !this->HasShapes() ||
+      this->HasRoomFor(this->CountSlices(smoothing, subdivision),
+        "values are interpolated between slices, not contours", "ShapeBasedInterpolation off");
   }
 
   /// What memory has room for of what was suggested; nothing was if it could not be measured.
@@ -110,6 +111,9 @@ public:
   }
 
 private:
+  /// Whether distances are interpolated between slices of an image.
+  bool HasShapes() const { return this->Slabs && this->Sampler->FindThickSlices(this->Slabs->GetFrame()); }
+
   /// The slices that a surface needs at a time: those of a layer of cells with what their points depend on.
   int CountSlices(double smoothing, int subdivision) const
   {
@@ -139,7 +143,7 @@ private:
       return true;
     }
     const int needed = std::min(slices, this->Slabs->GetDimensions()[2]);
-    const int beside = this->Sampler->FindThickSlices(this->Slabs->GetFrame()) ? InkBytesOfDistance : 0;
+    const int beside = this->HasShapes() ? InkBytesOfDistance : 0;
     const int room = this->Slabs->GetAtOnce(beside);
     if (room >= needed)
     {
