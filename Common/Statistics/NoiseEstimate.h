@@ -112,8 +112,9 @@ constexpr double mostSuggestedSmoothing = 2.0;
 constexpr double sharpSmoothing = 1.2;
 
 /// Whether distances are the better guess between slices than values, see sliceDistances: where these are
-/// thick and sharp, or where values make terraces; of labels always. Where slices of 3 voxels blur into each
-/// other, with a point spread of .7 slices, values are: F of a bunny's splatting lines is .67 and .57.
+/// far apart and sharp, and where values make terraces. Of labels, which have no values between, they are
+/// anyway. Where slices of 3 voxels blur into each other, by a point spread of .7 slices, they are not: F of
+/// a bunny's splatting lines is .57 by distances and .67 by values.
 bool suggestShapeBasedInterpolation(const NoiseEstimate& estimate, const glm::dvec3& spacing);
 
 /// suggestSmoothing for values that are measured, and for labels.
@@ -130,6 +131,7 @@ struct SuggestedDeviations
   void add(const SuggestedDeviations& other);
 };
 
+/// All that is suggested for a surface.
 struct SuggestedSmoothing
 {
   SuggestedDeviations byValues = {}; ///< where values are interpolated between slices

@@ -57,7 +57,7 @@ constexpr std::uint64_t InkBytesPerPoint = 48;
 /// The same of a point as it is made, as it is drawn, and as OpenGL may keep it.
 constexpr std::uint64_t InkBytesPerDrawnPoint = 100;
 
-/// That of a voxel's distance from a contour, see ink::sliceDistances.
+/// What a voxel's distance from a contour takes, see ink::sliceDistances.
 constexpr int InkBytesOfDistance = 4;
 
 #endif

@@ -154,9 +154,8 @@ public:
    * Of slices that are 1.8 times as far apart as samples within them, or more: interpolate between two slices
    * not their values but the distances from the contour that the iso-value has in each, see
    * ink::sliceDistances. Surfaces that move by more than their edges' width from one slice to the next are
-   * terraces otherwise. Cells are divided
-   * across slices then, also without Smoothing and Subdivision. Of other volumes nothing changes. Default:
-   * off.
+   * terraces otherwise. Cells are divided across slices then, also without Smoothing and Subdivision. Of
+   * other volumes nothing changes. Default: off.
    */
   vtkSetMacro(ShapeBasedInterpolation, bool);
   vtkGetMacro(ShapeBasedInterpolation, bool);
