@@ -48,6 +48,25 @@ struct Volume
     return volume;
   }
 
+  /// Its samples from `first` to `last`, in their place.
+  Volume part(const glm::ivec3& first, const glm::ivec3& last) const
+  {
+    Volume part(GridGeometry(last - first + 1, this->geometry.origin(), this->geometry.spacing(),
+      this->geometry.direction(), this->geometry.first() + first));
+    const glm::ivec3 n = part.geometry.dimensions();
+    for (int k = 0; k < n.z; ++k)
+    {
+      for (int j = 0; j < n.y; ++j)
+      {
+        for (int i = 0; i < n.x; ++i)
+        {
+          part.at({ i, j, k }) = this->values[this->geometry.offset(first + glm::ivec3(i, j, k))];
+        }
+      }
+    }
+    return part;
+  }
+
   T& at(const glm::ivec3& sample) { return this->values[this->geometry.offset(sample)]; }
   GridField<T> field(const ElementMarks& hidden = {}) const
   {

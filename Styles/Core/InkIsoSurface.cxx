@@ -230,13 +230,13 @@ std::string InkIsoSurface::Prepare(vtkInkStyle* style, std::span<vtkImageData* c
   vtkInkIsoSurfaceSampler* sampler = this->Sampler;
   sampler->SetValues(values);
   ink::SuggestedSmoothing suggested;
-  std::array hasThickSlices = { 0.0 };
-  for (vtkImageData* image : images)
+  const auto hasThickSlices = [&]
   {
-    hasThickSlices[0] = std::max(hasThickSlices[0], HasThickSlices(image) ? 1.0 : 0.0);
-  }
-  style->GetProcesses().TakeGreatest(hasThickSlices);
-  if (this->AsksForSuggestion(hasThickSlices[0] > 0.0))
+    std::array has = { std::any_of(images.begin(), images.end(), HasThickSlices) ? 1.0 : 0.0 };
+    style->GetProcesses().TakeGreatest(has);
+    return has[0] > 0.0;
+  };
+  if (this->AsksForSuggestion(hasThickSlices))
   {
     suggested = this->FindSmoothing(style, whole(), values);
   }
@@ -278,11 +278,11 @@ bool InkIsoSurface::HasThickSlices(vtkImageData* frame)
   return ink::thickSlices({ spacing[0], spacing[1], spacing[2] }).has_value();
 }
 
-bool InkIsoSurface::AsksForSuggestion(bool hasThickSlices) const
+bool InkIsoSurface::AsksForSuggestion(const std::function<bool()>& hasThickSlices) const
 {
   return this->Smoothing < 0.0 || this->LabelMap == LABELS_AUTOMATIC ||
-    (this->ShapeBasedInterpolation == SHAPES_AUTOMATIC && hasThickSlices) ||
-    (this->LabelMap == LABELS_ON && this->LabelBorders == BORDERS_AUTOMATIC);
+    (this->LabelMap == LABELS_ON && this->LabelBorders == BORDERS_AUTOMATIC) ||
+    (this->ShapeBasedInterpolation == SHAPES_AUTOMATIC && hasThickSlices());
 }
 
 bool InkIsoSurface::TakeLabels(vtkInkIsoSurfaceAlgorithm* sampler, const ink::SuggestedSmoothing& suggested,

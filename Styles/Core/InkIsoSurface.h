@@ -193,7 +193,8 @@ private:
     vtkInkStyle* style, vtkImageData* image, vtkDataArray* scalars, vtkPolyData* mesh) const;
   ink::ComponentSelection GetSelection() const;
   /// Whether something is chosen by what FindSmoothing finds.
-  bool AsksForSuggestion(bool hasThickSlices) const;
+  /// @param hasThickSlices whether an image of any process has; asked, by all at once, where it matters
+  bool AsksForSuggestion(const std::function<bool()>& hasThickSlices) const;
   static bool HasThickSlices(vtkImageData* frame);
   /// Makes a sampler take values as labels or not, with borders, the cut, the smoothing's target and the
   /// interpolation that suit these.

@@ -71,7 +71,7 @@ public:
   /// @param smoothing, subdivision those that are given, or none
   bool HasRoomForShapes(double smoothing, int subdivision)
   {
-    return !this->HasShapes() ||
+    return !this->FindThickSlices() ||
       this->HasRoomFor(this->CountSlices(smoothing, subdivision),
         "values are interpolated between slices, not contours", "ShapeBasedInterpolation off");
   }
@@ -111,15 +111,16 @@ public:
   }
 
 private:
-  /// Whether distances are interpolated between slices of an image.
-  bool HasShapes() const { return this->Slabs && this->Sampler->FindThickSlices(this->Slabs->GetFrame()); }
+  /// The slices of an image between which distances are interpolated, if they are.
+  std::optional<ink::ThickSlices> FindThickSlices() const
+  {
+    return this->Slabs ? this->Sampler->FindThickSlices(this->Slabs->GetFrame()) : std::nullopt;
+  }
 
   /// The slices that a surface needs at a time: those of a layer of cells with what their points depend on.
   int CountSlices(double smoothing, int subdivision) const
   {
-    const std::optional<ink::ThickSlices> slices =
-      this->Slabs ? this->Sampler->FindThickSlices(this->Slabs->GetFrame()) : std::nullopt;
-    return 2 + 2 * ink::isoSurfaceResamplingReach(smoothing, subdivision, slices).z;
+    return 2 + 2 * ink::isoSurfaceResamplingReach(smoothing, subdivision, this->FindThickSlices()).z;
   }
 
   template <class Use>
@@ -143,7 +144,7 @@ private:
       return true;
     }
     const int needed = std::min(slices, this->Slabs->GetDimensions()[2]);
-    const int beside = this->HasShapes() ? InkBytesOfDistance : 0;
+    const int beside = this->FindThickSlices() ? InkBytesOfDistance : 0;
     const int room = this->Slabs->GetAtOnce(beside);
     if (room >= needed)
     {
@@ -238,7 +239,7 @@ std::string InkIsoSurface::SampleBy(
   SamplingOfParts sampling(style, sampler, slabs ? &*slabs : nullptr, values);
   // Without a measure there are no borders.
   ink::SuggestedSmoothing suggested{ .clearBorders = false };
-  const bool hasThickSlices = slabs && HasThickSlices(slabs->GetFrame());
+  const auto hasThickSlices = [&] { return slabs && HasThickSlices(slabs->GetFrame()); };
   if (this->AsksForSuggestion(hasThickSlices) && sampling.CanMeasure())
   {
     suggested = sampling.SuggestSmoothing();

@@ -183,13 +183,7 @@ TEST(SliceDistances, WindowsAreThoseOfTheWhole)
     const ThickSlices slices = ink::thickSlices(spacing).value();
     const glm::ivec3 begin(7, 9, 5);
     const glm::ivec3 size(17, 15, 19);
-    Volume<float> window(GridGeometry(size, {}, spacing));
-    for (std::size_t i = 0; i < window.values.size(); ++i)
-    {
-      const auto at = static_cast<int>(i);
-      window.values[i] = whole.values[whole.geometry.offset(
-        begin + glm::ivec3(at % size.x, at / size.x % size.y, at / size.x / size.y))];
-    }
+    const Volume<float> window = whole.part(begin, begin + size - 1);
     for (const bool ofMask : { false, true })
     {
       const std::vector<float> all = distancesOf(whole, 1.2, ofMask);
@@ -381,15 +375,7 @@ TEST(SliceDistances, PartsAndThreadsMakeNoDifference)
     const glm::ivec3 end = upper * cells + (1 - upper) * cut;
     const glm::ivec3 first = glm::max(begin - reach, glm::ivec3(0));
     const glm::ivec3 last = glm::min(end + reach, cells);
-    Volume<std::int16_t> piece(GridGeometry(
-      last - first + 1, whole.geometry.origin(), whole.geometry.spacing(), glm::dmat3(1.0), first));
-    for (std::size_t n = 0; n < piece.values.size(); ++n)
-    {
-      const glm::ivec3 size = piece.geometry.dimensions();
-      const auto at = static_cast<int>(n);
-      piece.values[n] = whole.values[whole.geometry.offset(
-        first + glm::ivec3(at % size.x, at / size.x % size.y, at / size.x / size.y))];
-    }
+    const Volume<std::int16_t> piece = whole.part(first, last);
     Setting own = setting;
     own.selection = { begin - first, end - first, {} };
     const Samples<float> some = sample(piece.field(), { 400.0 }, own);

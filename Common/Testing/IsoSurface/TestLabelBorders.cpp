@@ -201,22 +201,13 @@ TEST(LabelBorders, BeginWithoutAStep)
 
 TEST(LabelBorders, PartsAreThoseOfTheWhole)
 {
-  auto volume =
+  const auto volume =
     floorOf<std::int16_t>([](const glm::dvec3& p) { return 1 + (p.x > 3.0) + 2 * (p.y + 0.3 * p.x > -2.0); });
   const Samples<float> whole = sampleLabels(volume.field());
   const int margin = ink::isoSurfaceResamplingReach(smoothing, 1).x;
   const glm::ivec3 begin(3, 2, 0);
   const glm::ivec3 end(38, 39, 41);
-  const GridGeometry geometry(
-    end - begin, volume.geometry.origin(), volume.geometry.spacing(), volume.geometry.direction(), begin);
-  Volume<std::int16_t> part(geometry);
-  for (std::size_t n = 0; n < part.values.size(); ++n)
-  {
-    const glm::ivec3 size = end - begin;
-    const int i = static_cast<int>(n);
-    const glm::ivec3 sample(i % size.x, i / size.x % size.y, i / size.x / size.y);
-    part.values[n] = volume.at(begin + sample);
-  }
+  const Volume<std::int16_t> part = volume.part(begin, end - 1);
   const ink::CellSelection selection = { glm::ivec3(margin, margin, 0),
     end - begin - 1 - glm::ivec3(margin, margin, 0), {} };
   const Samples<float> some = sampleLabels(part.field(), {}, selection);

@@ -238,19 +238,7 @@ TEST(ResampledSamples, PartsGiveTheSamplesOfTheWhole)
       }
       const glm::ivec3 first = glm::max(begin - ghosts, glm::ivec3(0));
       const glm::ivec3 last = glm::min(end + ghosts, cells);
-      Volume<std::int16_t> piece(GridGeometry(last - first + 1, whole.geometry.origin(),
-        whole.geometry.spacing(), whole.geometry.direction(), first));
-      for (int k = first.z; k <= last.z; ++k)
-      {
-        for (int j = first.y; j <= last.y; ++j)
-        {
-          for (int i = first.x; i <= last.x; ++i)
-          {
-            const glm::ivec3 sample(i, j, k);
-            piece.at(sample - first) = whole.values[whole.geometry.offset(sample)];
-          }
-        }
-      }
+      const Volume<std::int16_t> piece = whole.part(first, last);
       Setting own = setting;
       own.selection.begin = begin - first;
       own.selection.end = end - first;
