@@ -21,6 +21,10 @@ constexpr double farBehind = 48.0;
 constexpr double beside = 2.0;
 /// How much nearer in pixels all of the neighborhood is: what rounding leaves.
 constexpr double behind = 0.05;
+/// Of a curve that may lie behind its surface by the tolerance: how far it may lie within the outline of that
+/// surface as a picture shows it, and how far behind it there, in tolerances.
+constexpr double mostWithin = 0.3;
+constexpr double mostBehind = 3.0;
 
 struct Sample
 {
@@ -28,6 +32,9 @@ struct Sample
   double length;   ///< pixels from the curve's begin, as far as the image shows it
   bool hidden;
   bool enters; ///< the image does not show what is before it
+  /// Of hidden samples that may be meant for the outline of the surface before them: how far, in pixels, they
+  /// may lie within it; otherwise 0.
+  double withinOutline;
 };
 
 class Sampler
@@ -77,9 +84,13 @@ public:
       const double inSpace = onPicture * first.w / (last.w + onPicture * (first.w - last.w));
       const double t = from + (to - from) * inSpace;
       const double curvature = a.radialCurvature + t * (b.radialCurvature - a.radialCurvature);
-      const bool hidden =
-        curvature < 0.0 || this->isHidden(glm::mix(a.clip, b.clip, t), glm::mix(a.normal, b.normal, t));
-      this->samples.push_back({ position + t, this->Length + share * length, hidden, enters && step == 0 });
+      const glm::dvec4 clip = glm::mix(a.clip, b.clip, t);
+      const glm::dvec2 normal = glm::mix(a.normal, b.normal, t);
+      const bool turnsAway = curvature < 0.0;
+      const bool hidden = turnsAway || this->isHidden(clip, normal);
+      const double within = hidden && !turnsAway ? this->withinOutline(clip, normal, q - p) : 0.0;
+      this->samples.push_back(
+        { position + t, this->Length + share * length, hidden, enters && step == 0, within });
     }
     this->Length += length;
   }
@@ -164,10 +175,72 @@ private:
     return farthest < own - behind * size;
   }
 
+  /// Sample::withinOutline.
+  /// @param along the curve's direction in the picture, of any length
+  double withinOutline(const glm::dvec4& clip, const glm::dvec2& normal, const glm::dvec2& along) const
+  {
+    const double tolerance = this->Occluders.tolerance;
+    const double reach = mostWithin * tolerance / (this->Occluders.pixel * clip.w);
+    const glm::dvec2 position = this->toPixel(clip);
+    const double own = this->toDistance(0.5 * clip.z / clip.w + 0.5);
+    if (!(reach > beside) || this->distanceAt(position) < own - mostBehind * tolerance)
+    {
+      return 0.0;
+    }
+    const double length = glm::length(along);
+    const bool isSilhouette = normal != glm::dvec2(0.0);
+    const glm::dvec2 across = isSilhouette || length == 0.0 ? normal : glm::dvec2(along.y, -along.x) / length;
+    for (double distance = beside; distance <= reach; distance += beside)
+    {
+      if (this->distanceAt(position + distance * across) >= own ||
+        this->distanceAt(position - distance * across) >= own)
+      {
+        return reach;
+      }
+    }
+    return 0.0;
+  }
+
   const CurveOccluders& Occluders;
   double Length = 0.0;
   bool Entered = false;
 };
+
+/// Shows what goes along within an outline: from where the curve is seen to where it is seen again or ends,
+/// or far. Not what passes below the outline at an angle.
+/// @param connected the last sample is followed by the first
+void showOutlines(std::vector<Sample>& samples, double length, bool connected)
+{
+  // In how far a sample may lie within it.
+  constexpr double far = 4.0;
+  const auto count = static_cast<std::ptrdiff_t>(samples.size());
+  const auto at = [&](std::ptrdiff_t n) -> Sample&
+  { return samples[static_cast<std::size_t>((n + count) % count)]; };
+  const auto lengthTo = [&](std::ptrdiff_t n) { return (n < count ? 0.0 : length) + at(n).length; };
+  const auto isSeen = [&](std::ptrdiff_t n)
+  { return (!connected && (n < 0 || n >= count)) || !at(n).hidden; };
+  // Where a closed curve begins does not matter.
+  std::ptrdiff_t begin = 0;
+  while (connected && begin < count && at(begin).withinOutline > 0.0)
+  {
+    ++begin;
+  }
+  begin %= count;
+  for (std::ptrdiff_t first = begin; first < begin + count; ++first)
+  {
+    double reach = 0.0;
+    std::ptrdiff_t end = first;
+    for (; end < begin + count && at(end).withinOutline > 0.0; ++end)
+    {
+      reach = std::max(reach, at(end).withinOutline);
+    }
+    const bool isShown = (isSeen(first - 1) && isSeen(end)) || lengthTo(end) - lengthTo(first) > far * reach;
+    for (; first < end; ++first)
+    {
+      at(first).hidden = !isShown;
+    }
+  }
+}
 
 /// Runs of samples in one state, from one sample to before another.
 struct SampleRun
@@ -236,16 +309,17 @@ std::vector<CurveRun> findVisibleRuns(
   {
     sampler.addSegment(points[i], points[(i + 1) % points.size()], static_cast<double>(i));
   }
-  const std::vector<Sample>& samples = sampler.samples;
+  std::vector<Sample>& samples = sampler.samples;
   const double whole = static_cast<double>(segments);
   if (samples.empty())
   {
     return { { 0.0, whole, false } };
   }
 
-  std::vector<SampleRun> runs = findSampleRuns(samples, sampler.length());
   const bool showsBegin = samples.front().position == 0.0;
   const bool connected = closed && showsBegin && sampler.showsEnd();
+  showOutlines(samples, sampler.length(), connected);
+  std::vector<SampleRun> runs = findSampleRuns(samples, sampler.length());
   runs.front().goesOn |= !showsBegin || (closed && !connected);
   runs.back().goesOn |= !sampler.showsEnd() || (closed && !connected);
   if (closed && runs.size() > 1)

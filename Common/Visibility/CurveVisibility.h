@@ -48,9 +48,10 @@ struct CurveRun
 /// lies where a pixel beside it may show its own surface a little nearer. A sample is hidden where all nine
 /// are nearer, or its own pixel is nearer by far. Where a surface is flat across its silhouette, and its
 /// normals are not quite its own, it hides the silhouette by far, and yet by a pixel or two only: there,
-/// pixels farther along the normal are compared as well. Runs of samples shorter than `leastRun` join their
-/// neighbors, so that a curve that grazes a surface is not dotted, but where they go on beyond the image:
-/// what it shows far from its border is the same in a larger one.
+/// pixels farther along the normal are compared as well. With a tolerance, curves may go along within their
+/// surface's outline, by .3 of the tolerance in the picture and 3 of it behind. Runs of samples shorter than
+/// `leastRun` join their neighbors, so that a curve that grazes a surface is not dotted, but where they go on
+/// beyond the image: what it shows far from its border is the same in a larger one.
 ///
 /// @param closed the last point is connected to the first, which is not repeated
 /// @param leastRun pixels of the image

@@ -268,6 +268,53 @@ TEST(CurveVisibility, FlatSurface)
   EXPECT_EQ(share(alone, { 0.0, 0.0 }), 1.0) << "not known";
 }
 
+/// Of the same surface, whose normals are smoothed more than it is: what goes along within its outline is
+/// meant for that, what goes below it is not.
+TEST(CurveVisibility, WithinTheOutlineOfARougherSurface)
+{
+  constexpr double outline = 150.0;
+  const View view([](double x, double)
+    { return x < outline ? 600.0 - std::sqrt((6000.0 - (outline - x)) * (outline - x)) : nothing; });
+  ink::CurveOccluders occluders = view.occluders();
+  const auto share = [&](const std::vector<CurvePoint>& line)
+  { return hiddenShare(findVisibleRuns(line, false, occluders, 4.0)); };
+  const auto along = [&](double x, double distance, const glm::dvec2& normal)
+  {
+    std::vector<CurvePoint> line{ view.at(x, 20.0, distance), view.at(x, 180.0, distance) };
+    line[0].normal = line[1].normal = normal;
+    return line;
+  };
+  const glm::dvec2 outwards(1.0, 0.0);
+  EXPECT_EQ(share(along(144.0, 600.0, outwards)), 1.0) << "its normals are its own";
+  occluders.tolerance = 70.0;
+  EXPECT_EQ(share(along(144.0, 600.0, outwards)), 0.0);
+  EXPECT_EQ(share(along(144.0, 600.0, {})), 0.0) << "a border";
+  EXPECT_EQ(share(along(144.0, 600.0, { 0.0, 1.0 })), 1.0) << "not its outline";
+  EXPECT_EQ(share(along(125.0, 600.0, outwards)), 1.0) << "too far within";
+  EXPECT_EQ(share(along(144.0, 700.0, outwards)), 1.0) << "too far behind";
+  const std::vector<CurvePoint> below{ view.at(190.0, 20.0, 600.0), view.at(90.0, 120.0, 600.0) };
+  EXPECT_NEAR(share(below), 0.6, 0.03);
+  const std::vector<CurvePoint> dips{ view.at(160.0, 20.0, 600.0), view.at(145.0, 60.0, 600.0),
+    view.at(160.0, 100.0, 600.0) };
+  EXPECT_EQ(share(dips), 0.0) << "seen before and behind";
+  // A closed one, wherever it begins: a side within the outline.
+  const std::vector<glm::dvec2> corners{ { 144.0, 20.0 }, { 144.0, 180.0 }, { 60.0, 180.0 }, { 60.0, 20.0 } };
+  for (std::size_t begin = 0; begin < corners.size(); ++begin)
+  {
+    std::vector<CurvePoint> square;
+    for (std::size_t n = 0; n < 4; ++n)
+    {
+      const glm::dvec2& a = corners[(begin + n) % 4];
+      const glm::dvec2& b = corners[(begin + n + 1) % 4];
+      for (const double t : { 0.0, 0.25, 0.5, 0.75 })
+      {
+        square.push_back(view.at(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 600.0));
+      }
+    }
+    EXPECT_NEAR(hiddenShare(findVisibleRuns(square, true, occluders, 4.0)), 0.75, 0.04) << begin;
+  }
+}
+
 /// The same runs wherever a closed curve begins.
 TEST(CurveVisibility, ClosedCurve)
 {
