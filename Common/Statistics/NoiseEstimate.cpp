@@ -96,6 +96,12 @@ constexpr double leastRoughnessInBends = 2.1;
 constexpr double leastSmoothRoughness = 0.087;
 constexpr double leastSmoothRoughnessInBends = 4.0;
 constexpr double roughnessOfNoise = 3.0;
+/// Smooth surfaces are no rougher than this, as an angle and in angles of bends (a ball behind a point spread
+/// of .6, .05); what is rougher is noise that turns normals by this much, for noise of a whole step: 1.5
+/// to 3.2 of that in phantoms.
+constexpr double mostSmoothRoughness = 0.06;
+constexpr double mostSmoothRoughnessInBends = 2.0;
+constexpr double turnOfNoise = 1.7;
 
 /// Whether it asks for smoothing.
 bool isRough(const NoiseEstimate& estimate)
@@ -112,6 +118,15 @@ double angleOf(double deviation)
   const double pi = std::acos(-1.0);
   const double noise = std::sqrt(1.0 / (16.0 * std::pow(pi, 1.5) * std::pow(deviation, 5.0)));
   return noise * std::sqrt(2.0 * pi * (pointSpread * pointSpread + deviation * deviation));
+}
+
+/// The noise, as a share of the step, that turns the surface's normals as much as it is rougher than it
+/// bends. Second differences hardly see noise that neighbors share, as in MR that was reconstructed on a
+/// finer grid: .023 of a face's step, of which this is .079.
+double noiseOfRoughness(const NoiseEstimate& estimate)
+{
+  const double smooth = std::max(mostSmoothRoughness, mostSmoothRoughnessInBends * estimate.bend);
+  return std::sqrt(std::max(estimate.roughness * estimate.roughness - smooth * smooth, 0.0)) / turnOfNoise;
 }
 
 /// The least with which noise, as a share of the step, turns normals no further than largestAngle.
@@ -435,13 +450,15 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     const double terraces = terraceWeight * std::max(estimate.quantum - estimate.noise, 0.0);
     deviation = std::max(deviationFor(estimate.noise / estimate.step),
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
+    double ofNormals =
+      std::min({ deviationFor(noiseOfRoughness(estimate)), sharpSmoothing, 0.5 * estimate.usualThickness });
     // Thin parts that a mask has cut to pieces would lose their outlines.
     const bool isCut = estimate.cut > leastCut && estimate.usualThickness >= NoiseEstimate::thickEnough;
     if (estimate.sharpness > leastSharpness || isCut || isRough(estimate))
     {
-      deviation =
-        std::max(deviation, std::min(middle * std::min(sharpSmoothing, 0.5 * thickness), mostSliceSmoothing));
+      ofNormals = std::max(ofNormals, std::min(sharpSmoothing, 0.5 * thickness));
     }
+    deviation = std::max(deviation, std::min(middle * ofNormals, mostSliceSmoothing));
   }
   if (hasSlices)
   {

@@ -94,6 +94,10 @@ NoiseEstimate estimateNoise(
 /// spacings, up to 4: normals of a ball of radius 24 are off by 1.1 degrees then, by 6.0 without (root mean
 /// square), and by 2.6 behind a point spread of .7.
 ///
+/// Noise that neighbors share, as of MR that was reconstructed on a finer grid, is seen by how much rougher
+/// the surface is than it bends; it asks for up to sharpSmoothing and half of the usual thickness, in the
+/// same multiples.
+///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
 /// than half of the same thickness, nor than what keeps small parts: a ball of radius 2 is gone with 2; where
 /// voxels are longer than wide, it is their length, but no more than 4. Normals of the mask of a sphere of

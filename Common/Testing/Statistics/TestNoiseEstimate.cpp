@@ -229,13 +229,52 @@ TEST(NoiseEstimate, TiltedSlicesThatWereResampledShowTheGrid)
       glm::dvec3(1.0));
   };
   EXPECT_EQ(with(0.2, 0.05, 5.0), ink::sharpSmoothing);
-  EXPECT_EQ(with(0.15, 0.05, 5.0), 0.0) << "hardly rough";
+  EXPECT_EQ(with(0.16, 0.08, 5.0), 0.0) << "hardly rough";
   EXPECT_EQ(with(0.3, 0.15, 5.0), 0.0) << "bends, too";
   EXPECT_EQ(with(0.2, 0.05, 1.0), 0.5) << "thin parts";
   EXPECT_EQ(with(0.1, 0.02, 5.0), ink::sharpSmoothing) << "hardly bends";
-  EXPECT_EQ(with(0.1, 0.03, 5.0), 0.0);
-  EXPECT_EQ(with(0.08, 0.0, 5.0), 0.0);
   EXPECT_LT(with(0.1, 0.02, 5.0, 0.01), ink::sharpSmoothing) << "noise makes a third of it";
+  EXPECT_EQ(with(0.1, 0.05, 5.0), 0.0);
+  EXPECT_EQ(with(0.06, 0.0, 5.0), 0.0);
+  double before = 0.0;
+  for (const double roughness : { 0.08, 0.1, 0.12, 0.15 })
+  {
+    const double smoothing = with(roughness, 0.035, 5.0);
+    EXPECT_GT(smoothing, before) << roughness;
+    EXPECT_LE(smoothing, ink::sharpSmoothing) << roughness;
+    before = smoothing;
+  }
+}
+
+TEST(NoiseEstimate, NoiseThatNeighborsShareIsSeenBySurfacesNormals)
+{
+  // As MR that was reconstructed on a grid of 1.4 times as many samples along each axis.
+  constexpr double finer = 1.4;
+  const Sphere ball{ glm::dvec3(0.2), 24.0 };
+  const auto measured = [](const glm::ivec3& at)
+  { return 0.12 * hashNormal(5, static_cast<std::uint64_t>((at.z * 64 + at.y) * 64 + at.x)); };
+  const auto noise = [&](const glm::dvec3& p)
+  {
+    const glm::dvec3 position = p / finer + 32.0;
+    const glm::ivec3 first(glm::floor(position));
+    const glm::dvec3 share = position - glm::dvec3(first);
+    double sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      const glm::ivec3 step(corner & 1, corner >> 1 & 1, corner >> 2);
+      const glm::dvec3 weight = glm::mix(1.0 - share, share, glm::dvec3(step));
+      sum += weight.x * weight.y * weight.z * measured(first + step);
+    }
+    return sum;
+  };
+  const auto volume = Volume<float>::from(centered(64),
+    [&](const glm::dvec3& p)
+    { return 0.5 * std::erfc(ball.distance(p) / (0.7 * finer * std::sqrt(2.0))) + noise(p); });
+  ink::NoiseEstimate found = estimateNoise(volume.field(), 0.5);
+  const double suggested = ink::suggestSmoothing(found, glm::dvec3(1.0));
+  EXPECT_GT(suggested, 0.9);
+  found.roughness = 0.0;
+  EXPECT_LT(ink::suggestSmoothing(found, glm::dvec3(1.0)), 0.7 * suggested) << "by second differences";
 }
 
 TEST(NoiseEstimate, SamplesThatWerePickedFromFinerOnesShowTheGrid)
