@@ -189,6 +189,20 @@ def test_spacings_of_nrrd(sizes, spacings, tmp_path, ink):
     assert "0.5 1 2" in result.out
 
 
+@pytest.mark.parametrize("sizes, axes", [
+    ("1 4 4 4", "none (0.5,0,0) (0,1,0) (0,0,2)"), ("1 4 4 4", "(0,0,0) (0.5,0,0) (0,1,0) (0,0,2)"),
+    ("4 4 4 1", "(0.5,0,0) (0,1,0) (0,0,2) (0, 0, 0)"),
+])
+def test_directions_of_nrrd(sizes, axes, tmp_path, ink):
+    """An axis that is not of space has none, or, as SCIRun writes it, one of no length."""
+    header = ("NRRD0004\ntype: uchar\ndimension: 4\nencoding: raw\nspace: left-posterior-superior\n"
+              f"sizes: {sizes}\nspace directions: {axes}\nspace origin: (7,8,9)\n\n")
+    (tmp_path / "directed.nrrd").write_bytes(header.encode() + bytes(range(64)))
+    result = ink("info", tmp_path / "directed.nrrd")
+    assert result.code == 0, result
+    assert "4 x 4 x 4" in result.out and "0.5 1 2" in result.out and "7 8 9" in result.out
+
+
 def test_an_orientation_is_told_apart(tmp_path, picture, reference):
     """The limit above is tight enough to tell a mirrored volume from the right one."""
     ink_files.write_vti(tmp_path / "mirrored.vti", np.ascontiguousarray(BLOB[:, ::-1]))

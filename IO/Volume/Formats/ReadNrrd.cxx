@@ -13,6 +13,7 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 
 namespace fs = std::filesystem;
@@ -116,6 +117,23 @@ public:
     return spacings;
   }
 
+  /// Three numbers of each axis, but for one that is not of space, whose "none" would end the numbers.
+  std::vector<double> directions() const
+  {
+    std::string words = this->field("space directions");
+    if (const auto none = words.find("none"); none != std::string::npos)
+    {
+      words.erase(none, 4);
+    }
+    std::vector<double> numbers = numbersIn(words);
+    if (const std::optional<std::size_t> axis = this->axisWithoutDirection(numbers))
+    {
+      const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(3 * *axis);
+      numbers.erase(first, first + 3);
+    }
+    return numbers;
+  }
+
   /// The index of the one axis of four that is not of space: the first, for components, where nothing says
   /// so.
   std::size_t otherAxis() const
@@ -130,12 +148,29 @@ public:
         return axis;
       }
     }
+    if (const std::optional<std::size_t> axis = this->axisWithoutDirection(numbersIn(directions)))
+    {
+      return *axis;
+    }
     const auto none =
       std::find_if(spacings.begin(), spacings.end(), [](double spacing) { return std::isnan(spacing); });
     return none == spacings.end() ? 0 : static_cast<std::size_t>(none - spacings.begin());
   }
 
 private:
+  /// Of four, one whose direction is (0,0,0), as SCIRun writes for "none".
+  static std::optional<std::size_t> axisWithoutDirection(const std::vector<double>& numbers)
+  {
+    for (std::size_t axis = 0; numbers.size() == 12 && axis < 4; ++axis)
+    {
+      if (std::all_of(&numbers[3 * axis], &numbers[3 * axis] + 3, [](double n) { return n == 0.0; }))
+      {
+        return axis;
+      }
+    }
+    return std::nullopt;
+  }
+
   const fs::path& File;
   std::streamoff Size = 0;
   TextFields Fields;
@@ -159,17 +194,11 @@ void setOrientation(const NrrdHeader& nrrd, std::size_t otherAxis, std::size_t a
   }
   std::copy(origin.begin(), origin.end(), header.origin);
 
-  // The direction of an axis that is not of space is given as "none", which would end the numbers.
-  std::string directions = nrrd.field("space directions");
-  if (directions.empty())
+  if (nrrd.field("space directions").empty())
   {
     return;
   }
-  if (const auto none = directions.find("none"); none != std::string::npos)
-  {
-    directions.erase(none, 4);
-  }
-  const std::vector<double> steps = numbersIn(directions);
+  const std::vector<double> steps = nrrd.directions();
   constexpr std::size_t threeVectors = 9;
   if (steps.size() != threeVectors)
   {
