@@ -121,14 +121,18 @@ EXACT = ["--maximum-downsampling", 1]
 FEW = ["--pixels-per-stipple", 30, "--stipple-size", 5]
 
 
+ONE_BUILD = pytest.mark.one_build
+
+
 @pytest.mark.parametrize("style, options", [
-    ("splatting-lines", EXACT), ("splatting-lines", [*EXACT, "--hidden-layers"]),
-    ("splatting-lines", [*EXACT, "--thin", "--line-width", 3]), ("splatting-lines", [*EXACT, "--speckles", 6]),
-    ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.3]), ("stipple", FEW), ("stipple", ["--size-unit", "pixels"]),
-    ("stipple", [*FEW, "--zoom", 1.7, "--view", "iso"]), ("stipple", [*FEW, "--transparent"])])  # fmt: skip
+    ("splatting-lines", EXACT), pytest.param("splatting-lines", [*EXACT, "--hidden-layers"], marks=ONE_BUILD),
+    pytest.param("splatting-lines", [*EXACT, "--thin", "--line-width", 3], marks=ONE_BUILD),
+    pytest.param("splatting-lines", [*EXACT, "--speckles", 6], marks=ONE_BUILD),
+    ("splatting-lines", [*EXACT, "--parallel", "--zoom", 1.3]), ("stipple", FEW),
+    pytest.param("stipple", ["--size-unit", "pixels"], marks=ONE_BUILD),
+    pytest.param("stipple", [*FEW, "--zoom", 1.7, "--view", "iso"], marks=ONE_BUILD), ("stipple", [*FEW, "--transparent"])])  # fmt: skip
 @pytest.mark.parametrize("size, tile", [
-    pytest.param("440x440", 256, marks=pytest.mark.one_build), ("640x360", 300),
-    pytest.param("300x720", 512, marks=pytest.mark.one_build)])  # fmt: skip
+    pytest.param("440x440", 256, marks=ONE_BUILD), ("640x360", 300), pytest.param("300x720", 512, marks=ONE_BUILD)])  # fmt: skip
 def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, size, tile):
     """Six to fifteen tiles, of which some have neighbors on all sides and the last ones are smaller."""
     # How what is made of either is cut does not go by the size.

@@ -72,6 +72,7 @@ def test_the_subject_fits_with_a_margin(picture, volume_file, size, projection):
     assert (tight < 0.06).all(), margins
 
 
+@pytest.mark.one_build
 def test_large_pictures_show_the_same(picture, volume_file):
     options = [*LINES, "--iso", 100]
     small = picture(volume_file, *options).mean(axis=2)
@@ -254,6 +255,7 @@ def test_tone_colors_lines_by_how_the_surface_lies(picture, volume_file):
     assert np.abs(toned[..., 1].astype(int) - plain[..., 1]).max() < 12
 
 
+@pytest.mark.one_build
 def test_speed_costs_little_accuracy(picture, volume_file):
     exact = picture(volume_file, *LINES, "--iso", 100, "--maximum-downsampling", 1, "--lambda", 6).astype(int)
     for options, most in (([], 6), (["--half-floats"], 6), (["--point-fraction", 0.7], 20)):

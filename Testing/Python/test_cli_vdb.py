@@ -137,6 +137,7 @@ def test_a_smoothed_picture_is_that_of_the_volume(ink, volume, tmp_path, target)
     assert np.abs(pictures[1] - rough).max() > 100
 
 
+@pytest.mark.one_build
 @pytest.mark.parametrize("around", [[], ["--around", "100"]], ids=["whole", "band"])
 def test_what_is_chosen_is_as_of_the_volume(ink, tmp_path, can_convert, around):
     """Divided by as much, and smoothed by nearly as much."""

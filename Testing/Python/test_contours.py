@@ -105,6 +105,7 @@ def test_a_sphere_is_one_circle(direction):
     assert_circle(draw(sphere(), direction), RADIUS * SIZE / 2)
 
 
+@pytest.mark.one_build
 def test_a_ball_of_voxels_is_the_same_circle():
     assert_circle(draw(ball(), iso_values=100), RADIUS * SIZE / 2)
     assert_circle(draw(ball(), iso_values=100, line_width=20), RADIUS * SIZE / 2, 8)
@@ -265,6 +266,7 @@ def test_presets_differ():
         assert all((one != other).any() for key, other in drawn.items() if key != name), name
 
 
+@pytest.mark.one_build
 def test_volumes_that_are_no_balls():
     wavelet = vtk.vtkRTAnalyticSource()
     wavelet.Update()

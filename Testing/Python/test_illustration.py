@@ -275,6 +275,7 @@ def test_the_command_line_illustrates_by_default(ink, tmp_path):
     assert (first < 100).mean() > 0.01
 
 
+@pytest.mark.one_build
 def test_bone_is_the_surface_within(ink, tmp_path):
     file = tmp_path / "nested.nrrd"
     array = numpy_support.vtk_to_numpy(nested(48).GetPointData().GetScalars()).reshape(48, 48, 48)
