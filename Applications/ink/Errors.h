@@ -2,9 +2,13 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace ink::cli
 {
+
+/// Prints a message to the standard error stream, in one line.
+void reportError(std::string message);
 
 /// Something on this machine stands in the way: a file, a folder, the graphics. Ends the program with code 1.
 class Failure : public std::runtime_error

@@ -29,13 +29,9 @@ enum ExitCode
   WrongUsage = 2
 };
 
-int report(ExitCode code, std::string message)
+int report(ExitCode code, const std::string& message)
 {
-  for (char& c : message)
-  {
-    c = c == '\n' ? ' ' : c;
-  }
-  std::cerr << "ink: error: " << message << '\n';
+  reportError(message);
   return code;
 }
 

@@ -88,8 +88,16 @@ def test_several_files(ink, tmp_path):
     both = ink("info", tmp_path / "v.vti", tmp_path / "m.vtp")
     apart = [ink("info", tmp_path / name).out for name in ("v.vti", "m.vtp")]
     assert both.code == 0 and both.out == "\n".join(apart)
-    result = ink("info", tmp_path / "v.vti", tmp_path / "absent.vti")
+    (tmp_path / "broken.vti").write_text("<VTKFile")
+    result = ink("info", tmp_path / "absent.vti", tmp_path / "v.vti", tmp_path / "broken.vti", tmp_path / "m.vtp")
+    assert result.code == 1 and result.out == both.out, "what can be read is described"
+    messages = result.err.splitlines()
+    assert len(messages) == 2 and "absent.vti" in messages[0] and "broken.vti" in messages[1]
+    assert all(message.startswith("ink: error: ") for message in messages)
+    result = ink("info", "--json", tmp_path / "absent.vti", tmp_path / "m.vtp")
     assert result.code == 1 and "absent.vti" in result.error
+    assert [one["file"] for one in json.loads(result.out)] == [str(tmp_path / "m.vtp")]
+    assert ink("info", "--json", tmp_path / "absent.vti").out == ""
 
 
 def test_json(ink, tmp_path):

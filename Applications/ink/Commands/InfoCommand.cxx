@@ -29,6 +29,7 @@
 #include <iostream>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -260,25 +261,46 @@ Description describe(const InputOptions& options, Progress& progress)
 
 void info(const InfoOptions& options)
 {
-  Progress progress(options.quiet);
   auto all = nlohmann::ordered_json::array();
+  std::vector<std::string> failures;
+  bool isFirst = true;
   for (const std::filesystem::path& file : options.files)
   {
     InputOptions one = options.input;
     one.file = file;
-    const Description description = describe(one, progress);
-    if (options.json)
+    try
     {
-      all.push_back(description.json());
-      continue;
+      Progress progress(options.quiet);
+      const Description description = describe(one, progress);
+      if (options.json)
+      {
+        all.push_back(description.json());
+        continue;
+      }
+      std::cout << (std::exchange(isFirst, false) ? "" : "\n");
+      description.print(std::cout);
     }
-    std::cout << (&file == &options.files.front() ? "" : "\n");
-    description.print(std::cout);
+    catch (const UsageError&)
+    {
+      throw;
+    }
+    catch (const std::runtime_error& failure)
+    {
+      // The others are described all the same.
+      failures.emplace_back(failure.what());
+    }
   }
-  if (options.json)
+  if (!all.empty())
   {
     // Names of files may be no UTF-8.
     std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
+  }
+  if (!failures.empty())
+  {
+    const std::string last = failures.back();
+    failures.pop_back();
+    std::for_each(failures.begin(), failures.end(), reportError);
+    throw Failure(last);
   }
 }
 
