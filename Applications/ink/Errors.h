@@ -7,7 +7,7 @@
 namespace ink::cli
 {
 
-/// Prints a message to the standard error stream, in one line.
+/// Prints a message to the standard error stream, behind "ink: error: " and in one line.
 void reportError(std::string message);
 
 /// Something on this machine stands in the way: a file, a folder, the graphics. Ends the program with code 1.

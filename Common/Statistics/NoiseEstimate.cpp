@@ -450,15 +450,15 @@ double suggestSmoothing(const NoiseEstimate& estimate, const glm::dvec3& spacing
     const double terraces = terraceWeight * std::max(estimate.quantum - estimate.noise, 0.0);
     deviation = std::max(deviationFor(estimate.noise / estimate.step),
       std::min(deviationFor((estimate.noise + terraces) / estimate.step), 0.5 * estimate.thickness));
-    double ofNormals =
-      std::min({ deviationFor(noiseOfRoughness(estimate)), sharpSmoothing, 0.5 * estimate.usualThickness });
+    deviation = std::max(deviation,
+      std::min({ deviationFor(noiseOfRoughness(estimate)), sharpSmoothing, 0.5 * estimate.usualThickness }));
     // Thin parts that a mask has cut to pieces would lose their outlines.
     const bool isCut = estimate.cut > leastCut && estimate.usualThickness >= NoiseEstimate::thickEnough;
     if (estimate.sharpness > leastSharpness || isCut || isRough(estimate))
     {
-      ofNormals = std::max(ofNormals, std::min(sharpSmoothing, 0.5 * thickness));
+      deviation =
+        std::max(deviation, std::min(middle * std::min(sharpSmoothing, 0.5 * thickness), mostSliceSmoothing));
     }
-    deviation = std::max(deviation, std::min(middle * ofNormals, mostSliceSmoothing));
   }
   if (hasSlices)
   {

@@ -95,8 +95,7 @@ NoiseEstimate estimateNoise(
 /// square), and by 2.6 behind a point spread of .7.
 ///
 /// Noise that neighbors share, as of MR that was reconstructed on a finer grid, is seen by how much rougher
-/// the surface is than it bends; it asks for up to sharpSmoothing and half of the usual thickness, in the
-/// same multiples.
+/// the surface is than it bends; it asks for up to sharpSmoothing and half of the usual thickness.
 ///
 /// Labels and masks have steps of whole voxels, which no point spread blurs. Of them it is 2, but no more
 /// than half of the same thickness, nor than what keeps small parts: a ball of radius 2 is gone with 2; where

@@ -25,6 +25,8 @@ constexpr double behind = 0.05;
 /// surface as a picture shows it, and how far behind it there, in tolerances.
 constexpr double mostWithin = 0.3;
 constexpr double mostBehind = 3.0;
+/// In how far a curve may lie within an outline: what is longer goes along it.
+constexpr double longAlong = 4.0;
 
 struct Sample
 {
@@ -180,7 +182,8 @@ private:
   double withinOutline(const glm::dvec4& clip, const glm::dvec2& normal, const glm::dvec2& along) const
   {
     const double tolerance = this->Occluders.tolerance;
-    const double reach = mostWithin * tolerance / (this->Occluders.pixel * clip.w);
+    const double reach =
+      std::min(mostWithin * tolerance / (this->Occluders.pixel * clip.w), this->Occluders.withinOutline);
     const glm::dvec2 position = this->toPixel(clip);
     const double own = this->toDistance(0.5 * clip.z / clip.w + 0.5);
     if (!(reach > beside) || this->distanceAt(position) < own - mostBehind * tolerance)
@@ -190,10 +193,11 @@ private:
     const double length = glm::length(along);
     const bool isSilhouette = normal != glm::dvec2(0.0);
     const glm::dvec2 across = isSilhouette || length == 0.0 ? normal : glm::dvec2(along.y, -along.x) / length;
-    for (double distance = beside; distance <= reach; distance += beside)
+    const int places = std::clamp(static_cast<int>(reach / beside), 1, 16);
+    for (int place = 1; place <= places; ++place)
     {
-      if (this->distanceAt(position + distance * across) >= own ||
-        this->distanceAt(position - distance * across) >= own)
+      const glm::dvec2 away = reach * place / places * across;
+      if (this->distanceAt(position + away) >= own || this->distanceAt(position - away) >= own)
       {
         return reach;
       }
@@ -206,39 +210,45 @@ private:
   bool Entered = false;
 };
 
-/// Shows what goes along within an outline: from where the curve is seen to where it is seen again or ends,
-/// or far. Not what passes below the outline at an angle.
+/// Shows what goes along within an outline: from where the curve is seen, or what is before it is not known,
+/// to where it is seen again, or far. Not what passes below the outline at an angle.
 /// @param connected the last sample is followed by the first
 void showOutlines(std::vector<Sample>& samples, double length, bool connected)
 {
-  // In how far a sample may lie within it.
-  constexpr double far = 4.0;
   const auto count = static_cast<std::ptrdiff_t>(samples.size());
   const auto at = [&](std::ptrdiff_t n) -> Sample&
   { return samples[static_cast<std::size_t>((n + count) % count)]; };
   const auto lengthTo = [&](std::ptrdiff_t n) { return (n < count ? 0.0 : length) + at(n).length; };
-  const auto isSeen = [&](std::ptrdiff_t n)
-  { return (!connected && (n < 0 || n >= count)) || !at(n).hidden; };
+  const auto enters = [&](std::ptrdiff_t n) { return n % count == 0 ? !connected : at(n).enters; };
+  const auto isWithin = [&](std::ptrdiff_t n) { return at(n).withinOutline > 0.0; };
   // Where a closed curve begins does not matter.
   std::ptrdiff_t begin = 0;
-  while (connected && begin < count && at(begin).withinOutline > 0.0)
+  while (connected && begin < count && isWithin(begin) && !enters(begin))
   {
     ++begin;
   }
   begin %= count;
   for (std::ptrdiff_t first = begin; first < begin + count; ++first)
   {
-    double reach = 0.0;
-    std::ptrdiff_t end = first;
-    for (; end < begin + count && at(end).withinOutline > 0.0; ++end)
+    if (!isWithin(first))
+    {
+      continue;
+    }
+    double reach = at(first).withinOutline;
+    std::ptrdiff_t end = first + 1;
+    for (; end < begin + count && isWithin(end) && !enters(end); ++end)
     {
       reach = std::max(reach, at(end).withinOutline);
     }
-    const bool isShown = (isSeen(first - 1) && isSeen(end)) || lengthTo(end) - lengthTo(first) > far * reach;
-    for (; first < end; ++first)
+    const bool isSeenBefore = enters(first) || !at(first - 1).hidden;
+    const bool isSeenBehind = enters(end) || !at(end).hidden;
+    const bool isShown =
+      (isSeenBefore && isSeenBehind) || lengthTo(end) - lengthTo(first) > longAlong * reach;
+    for (std::ptrdiff_t n = first; n < end; ++n)
     {
-      at(first).hidden = !isShown;
+      at(n).hidden = !isShown;
     }
+    first = end - 1;
   }
 }
 
@@ -294,6 +304,11 @@ std::vector<SampleRun> joinShortRuns(const std::vector<SampleRun>& runs, double 
 }
 
 } // namespace
+
+double outlineMargin(double withinOutline)
+{
+  return (1.0 + longAlong) * withinOutline;
+}
 
 std::vector<CurveRun> findVisibleRuns(
   std::span<const CurvePoint> points, bool closed, const CurveOccluders& occluders, double leastRun)

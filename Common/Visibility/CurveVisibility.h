@@ -22,7 +22,13 @@ struct CurveOccluders
   double pixel = 1.0; ///< view units per pixel of the image where clip w is 1
   /// View units that a curve on a surface may lie behind it.
   double tolerance = 0.0;
+  /// Pixels of the image that such a curve may lie within the outline of that surface, at most.
+  double withinOutline = 0.0;
 };
+
+/// How far the image has to go on beyond a part of a picture for the runs there to be those of the whole, for
+/// CurveOccluders::withinOutline.
+double outlineMargin(double withinOutline);
 
 /// A point of a curve as the same camera sees it.
 struct CurvePoint
@@ -48,10 +54,12 @@ struct CurveRun
 /// lies where a pixel beside it may show its own surface a little nearer. A sample is hidden where all nine
 /// are nearer, or its own pixel is nearer by far. Where a surface is flat across its silhouette, and its
 /// normals are not quite its own, it hides the silhouette by far, and yet by a pixel or two only: there,
-/// pixels farther along the normal are compared as well. With a tolerance, curves may go along within their
-/// surface's outline, by .3 of the tolerance in the picture and 3 of it behind. Runs of samples shorter than
-/// `leastRun` join their neighbors, so that a curve that grazes a surface is not dotted, but where they go on
-/// beyond the image: what it shows far from its border is the same in a larger one.
+/// pixels farther along the normal are compared as well. With a tolerance, a curve may be meant for the
+/// outline of a surface that hides it, by up to three times the tolerance: where it goes along within that
+/// outline, by no more than .3 of the tolerance and `withinOutline`, from where it is seen to where it is
+/// seen again, or for four times that, it is visible. Runs of samples shorter than `leastRun` join their
+/// neighbors, so that a curve that grazes a surface is not dotted, but where they go on beyond the image:
+/// what it shows far from its border is the same in a larger one.
 ///
 /// @param closed the last point is connected to the first, which is not repeated
 /// @param leastRun pixels of the image

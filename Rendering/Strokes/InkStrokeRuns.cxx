@@ -35,6 +35,14 @@ glm::dvec2 FindSilhouetteNormal(const float position[3], const float normal[3], 
 
 } // namespace
 
+double InkStrokeRuns::FindWithinOutline(const InkViewUniforms& view)
+{
+  // Of a picture's height: the same at any size, but for more than images have margins for.
+  constexpr double share = 1.0 / 80.0;
+  constexpr double most = 48.0;
+  return std::min(share * view.PictureHeight, most);
+}
+
 void InkStrokeRuns::Add(const InkStrokePoints& strokes, int stroke, double from, double to, bool hidden)
 {
   const InkStrokePoints::Stroke& own = strokes.GetStrokes()[static_cast<std::size_t>(stroke)];
@@ -95,6 +103,7 @@ InkStrokeRuns InkStrokeRuns::FindVisible(const InkStrokePoints& strokes, const I
   std::copy(view.DepthToClip.begin(), view.DepthToClip.end(), occluders.depthToClip);
   occluders.pixel = view.Pixel;
   occluders.tolerance = tolerance;
+  occluders.withinOutline = FindWithinOutline(view);
   const glm::dmat4 toClip =
     glm::dmat4(glm::make_mat4(view.VCDC.data())) * glm::dmat4(glm::make_mat4(view.MCVC.data()));
 

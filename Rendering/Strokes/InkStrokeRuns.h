@@ -37,6 +37,10 @@ struct InkStrokeRuns
   /// All of all strokes.
   static InkStrokeRuns FindWhole(const InkStrokePoints& strokes);
 
+  /// How far silhouettes that a rougher surface hides may lie within its outline at most, in pixels of a
+  /// view; see ink::CurveOccluders.
+  static double FindWithinOutline(const InkViewUniforms& view);
+
   /// What a surface leaves visible.
   /// @param view that the depth image shows
   /// @param depths of the surface, one for each pixel of the view

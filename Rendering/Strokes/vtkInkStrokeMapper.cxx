@@ -13,6 +13,7 @@
 #include "InkWindowResources.h"
 
 #include "Tone/Hatching/StrokeWidth.h"
+#include "Visibility/CurveVisibility.h"
 
 #include "InkOpenGLCompat.h"
 
@@ -45,7 +46,8 @@ namespace
 /// what is hidden: in a smaller one too much of a stroke lies within a pixel of an edge of the surface.
 constexpr int LeastDepthHeight = 1024;
 
-/// Further than that from the picture nothing matters to what is hidden in it: pixels, and shortest parts.
+/// Further than that from the picture, and than ink::outlineMargin, nothing matters to what is hidden in it:
+/// pixels, and shortest parts.
 constexpr float DepthMargin = 16.0f;
 constexpr float DepthMarginParts = 2.0f;
 
@@ -297,7 +299,8 @@ InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(const InkStrokeMarks& marks, c
   }
   const InkViewUniforms ofSurface(frame.Renderer, frame.Actor, this, shared.Frame, frame.GetSize());
   const float shortest = static_cast<float>(ofSurface.TileScale * this->ShortestPart);
-  shared.Occluder.Draw(ofSurface, std::max(DepthMargin, DepthMarginParts * shortest), depth,
+  const auto outlines = static_cast<float>(ink::outlineMargin(InkStrokeRuns::FindWithinOutline(ofSurface)));
+  shared.Occluder.Draw(ofSurface, std::max({ DepthMargin, DepthMarginParts * shortest, outlines }), depth,
     (LeastDepthHeight - 1) / std::max(ofSurface.PictureHeight, 1) + 1);
   if (!depth->Image.IsComplete())
   {
@@ -330,6 +333,7 @@ void vtkInkStrokeMapper::UpdateRuns(InkStrokeMarks& marks, const InkViewUniforms
     finer.VCDC = depth->View->VCDC;
     finer.Size = depth->View->Size;
     finer.Pixel = depth->View->Pixel;
+    finer.PictureHeight = depth->View->PictureHeight;
     const double factor = view.Pixel / finer.Pixel;
     runs = InkStrokeRuns::FindVisible(
       marks.Strokes, finer, ReadDepth(*depth), source.Tolerance, factor * source.LeastRun, source.WithHidden);

@@ -191,7 +191,7 @@ def test_spacings_of_nrrd(sizes, spacings, tmp_path, ink):
 
 @pytest.mark.parametrize("sizes, axes", [
     ("1 4 4 4", "none (0.5,0,0) (0,1,0) (0,0,2)"), ("1 4 4 4", "(0,0,0) (0.5,0,0) (0,1,0) (0,0,2)"),
-    ("4 4 4 1", "(0.5,0,0) (0,1,0) (0,0,2) (0, 0, 0)"),
+    ("4 4 4 1", "(0.5,0,0) (0,1,0) (0,0,2) (0, 0, 0)"), ("4 4 4 1", "(0.5, 0, 0) (0, 1, 0) (0, 0, 2) none"),
 ])
 def test_directions_of_nrrd(sizes, axes, tmp_path, ink):
     """An axis that is not of space has none, or, as SCIRun writes it, one of no length."""

@@ -98,6 +98,12 @@ def test_several_files(ink, tmp_path):
     assert result.code == 1 and "absent.vti" in result.error
     assert [one["file"] for one in json.loads(result.out)] == [str(tmp_path / "m.vtp")]
     assert ink("info", "--json", tmp_path / "absent.vti").out == ""
+    # What is asked for suits some only.
+    result = ink("info", "--spacing", "1,1,1", tmp_path / "absent.vti", tmp_path / "m.vtp", tmp_path / "v.vti")
+    assert result.code == 2 and result.out == apart[0]
+    assert [name in message for name, message in zip(("absent.vti", "m.vtp"), result.err.splitlines())] == [True, True]
+    result = ink("info", "--crop", "90,95,90,95,90,95", tmp_path / "v.vti", tmp_path / "m.vtp")
+    assert [name in message for name, message in zip(("v.vti", "m.vtp"), result.err.splitlines())] == [True, True]
 
 
 def test_json(ink, tmp_path):

@@ -147,6 +147,18 @@ def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, si
         assert (difference > 16).sum() <= 10, f"{(difference > 16).sum()} pixels differ in {file.name}"
 
 
+@pytest.mark.one_build
+def test_outlines_of_rough_surfaces_have_no_seams(picture, tmp_path):
+    """What is shown within an outline that is rougher than its normals goes by what is far from it."""
+    z, y, x = (np.mgrid[:64, :64, :64] - 31.3) / np.array([20, 24, 28]).reshape(3, 1, 1, 1)
+    ball = 100 + 400 * (1 - np.sqrt(x ** 2 + y ** 2 + z ** 2)) + np.random.default_rng(5).normal(0, 30, x.shape)
+    ink_files.write_nifti(tmp_path / "rough.nii", np.clip(ball, 0, 200).astype(np.float32))
+    tiles, whole = (picture(tmp_path / "rough.nii", "--style", "contours", "--iso", 100, "--smoothing", 2, "--tile", tile, size="3000x3000")
+                    for tile in (512, 8192))
+    assert (whole < 128).sum() > 20000
+    assert np.abs(tiles.astype(int) - whole).max() < 32
+
+
 def test_more_pixels_than_opengl_has(written, mesh_file):
     """Wider than any window, a strip of tiles that are as high as it."""
     path = written(mesh_file, "wide.tif", "--style", "stipple", "--zoom", 4, size="17000x120")

@@ -262,7 +262,8 @@ Description describe(const InputOptions& options, Progress& progress)
 void info(const InfoOptions& options)
 {
   auto all = nlohmann::ordered_json::array();
-  std::vector<std::string> failures;
+  std::vector<std::string> problems;
+  bool isUsage = false;
   bool isFirst = true;
   for (const std::filesystem::path& file : options.files)
   {
@@ -280,14 +281,13 @@ void info(const InfoOptions& options)
       std::cout << (std::exchange(isFirst, false) ? "" : "\n");
       description.print(std::cout);
     }
-    catch (const UsageError&)
-    {
-      throw;
-    }
-    catch (const std::runtime_error& failure)
+    catch (const std::runtime_error& error)
     {
       // The others are described all the same.
-      failures.emplace_back(failure.what());
+      isUsage = isUsage || dynamic_cast<const UsageError*>(&error);
+      const std::string problem = error.what();
+      const bool isNamed = options.files.size() == 1 || problem.find(file.string()) != std::string::npos;
+      problems.push_back(isNamed ? problem : "'" + file.string() + "': " + problem);
     }
   }
   if (!all.empty())
@@ -295,12 +295,12 @@ void info(const InfoOptions& options)
     // Names of files may be no UTF-8.
     std::cout << all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
   }
-  if (!failures.empty())
+  if (!problems.empty())
   {
-    const std::string last = failures.back();
-    failures.pop_back();
-    std::for_each(failures.begin(), failures.end(), reportError);
-    throw Failure(last);
+    const std::string last = problems.back();
+    problems.pop_back();
+    std::for_each(problems.begin(), problems.end(), reportError);
+    isUsage ? throw UsageError(last) : throw Failure(last);
   }
 }
 

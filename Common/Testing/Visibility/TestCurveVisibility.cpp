@@ -276,6 +276,7 @@ TEST(CurveVisibility, WithinTheOutlineOfARougherSurface)
   const View view([](double x, double)
     { return x < outline ? 600.0 - std::sqrt((6000.0 - (outline - x)) * (outline - x)) : nothing; });
   ink::CurveOccluders occluders = view.occluders();
+  occluders.withinOutline = 100.0;
   const auto share = [&](const std::vector<CurvePoint>& line)
   { return hiddenShare(findVisibleRuns(line, false, occluders, 4.0)); };
   const auto along = [&](double x, double distance, const glm::dvec2& normal)
@@ -290,8 +291,22 @@ TEST(CurveVisibility, WithinTheOutlineOfARougherSurface)
   EXPECT_EQ(share(along(144.0, 600.0, outwards)), 0.0);
   EXPECT_EQ(share(along(144.0, 600.0, {})), 0.0) << "a border";
   EXPECT_EQ(share(along(144.0, 600.0, { 0.0, 1.0 })), 1.0) << "not its outline";
-  EXPECT_EQ(share(along(125.0, 600.0, outwards)), 1.0) << "too far within";
-  EXPECT_EQ(share(along(144.0, 700.0, outwards)), 1.0) << "too far behind";
+  EXPECT_EQ(share(along(144.0, 600.0, -outwards)), 0.0) << "whichever way normals point";
+  EXPECT_EQ(share(along(144.0, 610.0, outwards)), 0.0);
+  EXPECT_EQ(share(along(144.0, 635.0, outwards)), 1.0) << "too far behind";
+  std::vector<CurvePoint> away = along(144.0, 600.0, outwards);
+  away[0].radialCurvature = away[1].radialCurvature = -1.0;
+  EXPECT_EQ(share(away), 1.0) << "the surface hides its own side";
+  occluders.withinOutline = 4.0;
+  EXPECT_EQ(share(along(144.0, 600.0, outwards)), 1.0) << "too far within";
+  occluders.withinOutline = 7.0;
+  EXPECT_EQ(share(along(144.0, 600.0, outwards)), 0.0);
+  occluders.withinOutline = 100.0;
+  EXPECT_EQ(ink::outlineMargin(10.0), 50.0);
+  const std::vector<CurvePoint> ends{ view.at(144.0, 50.0, 600.0), view.at(144.0, 80.0, 600.0) };
+  EXPECT_EQ(share(ends), 0.0) << "nothing is known of what is before and behind";
+  const std::vector<CurvePoint> entering{ view.at(144.0, -20.0, 600.0), view.at(144.0, 30.0, 600.0) };
+  EXPECT_LT(share(entering), 0.5) << "nor of what is beyond the image";
   const std::vector<CurvePoint> below{ view.at(190.0, 20.0, 600.0), view.at(90.0, 120.0, 600.0) };
   EXPECT_NEAR(share(below), 0.6, 0.03);
   const std::vector<CurvePoint> dips{ view.at(160.0, 20.0, 600.0), view.at(145.0, 60.0, 600.0),
@@ -299,19 +314,19 @@ TEST(CurveVisibility, WithinTheOutlineOfARougherSurface)
   EXPECT_EQ(share(dips), 0.0) << "seen before and behind";
   // A closed one, wherever it begins: a side within the outline.
   const std::vector<glm::dvec2> corners{ { 144.0, 20.0 }, { 144.0, 180.0 }, { 60.0, 180.0 }, { 60.0, 20.0 } };
-  for (std::size_t begin = 0; begin < corners.size(); ++begin)
+  std::vector<CurvePoint> square;
+  for (std::size_t corner = 0; corner < 4; ++corner)
   {
-    std::vector<CurvePoint> square;
-    for (std::size_t n = 0; n < 4; ++n)
+    for (const double t : { 0.0, 0.25, 0.5, 0.75 })
     {
-      const glm::dvec2& a = corners[(begin + n) % 4];
-      const glm::dvec2& b = corners[(begin + n + 1) % 4];
-      for (const double t : { 0.0, 0.25, 0.5, 0.75 })
-      {
-        square.push_back(view.at(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 600.0));
-      }
+      const glm::dvec2 at = glm::mix(corners[corner], corners[(corner + 1) % 4], t);
+      square.push_back(view.at(at.x, at.y, 600.0));
     }
+  }
+  for (std::size_t begin = 0; begin < square.size(); ++begin)
+  {
     EXPECT_NEAR(hiddenShare(findVisibleRuns(square, true, occluders, 4.0)), 0.75, 0.04) << begin;
+    std::rotate(square.begin(), square.begin() + 1, square.end());
   }
 }
 

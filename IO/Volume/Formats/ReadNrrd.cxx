@@ -117,8 +117,9 @@ public:
     return spacings;
   }
 
-  /// Three numbers of each axis, but for one that is not of space, whose "none" would end the numbers.
-  std::vector<double> directions() const
+  /// Three numbers of each axis, but for one of four that is not of space, whose "none" would end the
+  /// numbers.
+  std::vector<double> directions(std::size_t axes) const
   {
     std::string words = this->field("space directions");
     if (const auto none = words.find("none"); none != std::string::npos)
@@ -126,7 +127,8 @@ public:
       words.erase(none, 4);
     }
     std::vector<double> numbers = numbersIn(words);
-    if (const std::optional<std::size_t> axis = this->axisWithoutDirection(numbers))
+    const std::optional<std::size_t> axis = this->axisWithoutDirection(numbers);
+    if (axes == 4 && axis)
     {
       const auto first = numbers.begin() + static_cast<std::ptrdiff_t>(3 * *axis);
       numbers.erase(first, first + 3);
@@ -140,13 +142,9 @@ public:
   {
     const std::string directions = this->field("space directions");
     const std::vector<double> spacings = this->spacings();
-    std::string_view rest = directions;
-    for (std::size_t axis = 0; axis < 4; ++axis)
+    if (const auto word = directions.find("none"); word != std::string::npos)
     {
-      if (nextWord(rest) == "none")
-      {
-        return axis;
-      }
+      return static_cast<std::size_t>(std::count(directions.begin(), directions.begin() + word, ')'));
     }
     if (const std::optional<std::size_t> axis = this->axisWithoutDirection(numbersIn(directions)))
     {
@@ -198,7 +196,7 @@ void setOrientation(const NrrdHeader& nrrd, std::size_t otherAxis, std::size_t a
   {
     return;
   }
-  const std::vector<double> steps = nrrd.directions();
+  const std::vector<double> steps = nrrd.directions(axes);
   constexpr std::size_t threeVectors = 9;
   if (steps.size() != threeVectors)
   {
