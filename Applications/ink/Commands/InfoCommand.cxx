@@ -300,7 +300,11 @@ void info(const InfoOptions& options)
     const std::string last = problems.back();
     problems.pop_back();
     std::for_each(problems.begin(), problems.end(), reportError);
-    isUsage ? throw UsageError(last) : throw Failure(last);
+    if (isUsage)
+    {
+      throw UsageError(last);
+    }
+    throw Failure(last);
   }
 }
 
