@@ -184,9 +184,13 @@ private:
     const double tolerance = this->Occluders.tolerance;
     const double reach =
       std::min(mostWithin * tolerance / (this->Occluders.pixel * clip.w), this->Occluders.withinOutline);
+    if (!(reach > beside))
+    {
+      return 0.0;
+    }
     const glm::dvec2 position = this->toPixel(clip);
     const double own = this->toDistance(0.5 * clip.z / clip.w + 0.5);
-    if (!(reach > beside) || this->distanceAt(position) < own - mostBehind * tolerance)
+    if (this->distanceAt(position) < own - mostBehind * tolerance)
     {
       return 0.0;
     }

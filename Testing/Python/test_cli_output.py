@@ -119,8 +119,6 @@ def test_the_last_line_says_what_was_written(ink, volume_file, tmp_path):
 EXACT = ["--maximum-downsampling", 1]
 # As many as can be told apart: to place those of the default takes four times as long as to draw them.
 FEW = ["--pixels-per-stipple", 30, "--stipple-size", 5]
-
-
 ONE_BUILD = pytest.mark.one_build
 
 
@@ -147,7 +145,7 @@ def test_tiles_have_no_seams(picture, volume_file, mesh_file, style, options, si
         assert (difference > 16).sum() <= 10, f"{(difference > 16).sum()} pixels differ in {file.name}"
 
 
-@pytest.mark.one_build
+@ONE_BUILD
 def test_outlines_of_rough_surfaces_have_no_seams(picture, tmp_path):
     """What is shown within an outline that is rougher than its normals goes by what is far from it."""
     z, y, x = (np.mgrid[:64, :64, :64] - 31.3) / np.array([20, 24, 28]).reshape(3, 1, 1, 1)
