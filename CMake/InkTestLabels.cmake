@@ -4,7 +4,7 @@
 # The test TestLabels fails where a test has no label.
 set(_ink_test_labels
   "curvature:Curvature|SurfaceRings|JetFit|ExponentialMap"
-  "fields:UnitOrZero|ActiveScalars|CellCenters|AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Crop|Laplacian|NormalMethods|ResampleGrid|SampleBox|SliceDistances|VdbField"
+  "fields:UnitOrZero|ActiveScalars|CellCenters|ImageOfGrid|AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Crop|Laplacian|NormalMethods|ResampleGrid|SampleBox|SliceDistances|VdbField"
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components|Extent)|CutSamples|LabelBorders|IsoThreshold|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
   "sampling:KdTree|CoincidentPoints|ImageSlabs|MemoryBudget|DiscSamples|SampleGroups|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder|FeatureNormals"
   "stippling:Stippl|QuantizedPosition"

@@ -4,6 +4,7 @@
 #include "Core/FormatNumber.h"
 #include "DicomFile.h"
 #include "FileFormats.h"
+#include "GridVolume.h"
 #include "InkKeepRange.h"
 #include "InkReportReadError.h"
 #include "InkVTKCompat.h"
@@ -44,6 +45,7 @@ struct Format
 {
   const char* suffix;
   io::VolumeHeader (*readHeader)(const fs::path& file); ///< null: it is XML
+  bool isGrid = false;                                  ///< whether that is none of an image
 };
 constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io::readNiftiHeader },
   { ".hdr", io::readNiftiHeader }, { ".hdr.gz", io::readNiftiHeader }, { ".img", io::readNiftiHeader },
@@ -51,9 +53,9 @@ constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io:
   { ".mha", io::readMetaImageHeader }, { ".mhd", io::readMetaImageHeader }, { ".mrc", io::readMrcHeader },
   { ".mrc.gz", io::readMrcHeader }, { ".map", io::readMrcHeader }, { ".map.gz", io::readMrcHeader },
   { ".ccp4", io::readMrcHeader }, { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr },
-  { ".vtk", io::readLegacyHeader }, { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader },
-  { ".npy", io::readNpyHeader }, { ".tif", io::readTiffHeader }, { ".tiff", io::readTiffHeader },
-  { ".dcm", io::readDicomHeaders } };
+  { ".vtr", nullptr, true }, { ".vts", nullptr, true }, { ".vtk", io::readLegacyHeader },
+  { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader }, { ".npy", io::readNpyHeader },
+  { ".tif", io::readTiffHeader }, { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
 constexpr Format dicom{ "", io::readDicomHeaders };
 
 std::string Text(const char* characters)
@@ -137,17 +139,23 @@ std::string FormatScale(const io::ValueScale& scale)
 
 } // namespace
 
-/// What there is to read: voxels after a header, or XML.
+/// What there is to read: voxels after a header, XML, or a grid that is made an image.
 struct vtkInkVolumeReader::Source
 {
   io::VolumeHeader Header;
   std::optional<io::XmlVolume> Xml;
-  vtkNew<vtkImageData> Frame; ///< where the voxels after a header lie
+  std::optional<io::GridVolume> Grid;
+  vtkNew<vtkImageData> Frame; ///< where the voxels after a header lie; of a grid, with their values
   std::vector<std::string> Notes;
 
   explicit Source(io::VolumeHeader&& header, const fs::path& file)
     : Header(std::move(header))
   {
+    if (!this->Header.coordinates.empty())
+    {
+      this->Grid.emplace(this->Header);
+      return;
+    }
     this->Header.voxels.check(file);
     this->Frame->SetDimensions(this->Header.voxels.dimensions);
     this->Frame->SetSpacing(this->Header.spacing);
@@ -172,10 +180,19 @@ struct vtkInkVolumeReader::Source
       this->Notes.push_back("its stored values are rescaled: " + FormatScale(this->Header.scale));
     }
   }
-  explicit Source(const fs::path& file)
-    : Xml(file)
+  /// Of XML.
+  Source(const fs::path& file, bool isGrid)
   {
-    this->Header.format = io::XmlVolume::format;
+    if (isGrid)
+    {
+      this->Grid.emplace(file);
+      this->Header.format = this->Grid->format();
+    }
+    else
+    {
+      this->Xml.emplace(file);
+      this->Header.format = io::XmlVolume::format;
+    }
   }
 
   static std::unique_ptr<Source> Open(const fs::path& file)
@@ -187,26 +204,34 @@ struct vtkInkVolumeReader::Source
     }
     const Format& format = FormatOf(file);
     return format.readHeader ? std::make_unique<Source>(format.readHeader(file), file)
-                             : std::make_unique<Source>(file);
+                             : std::make_unique<Source>(file, format.isGrid);
   }
 
-  void Announce(vtkInformation* info);
+  /// Reads a grid, of which only then is known what image it becomes.
+  void Announce(vtkInformation* info, const ink::Progress& progress);
   void Read(const int extent[6], vtkImageData* image, const ink::Progress& progress);
 
 private:
   void NoteComponents();
 };
 
-void vtkInkVolumeReader::Source::Announce(vtkInformation* info)
+void vtkInkVolumeReader::Source::Announce(vtkInformation* info, const ink::Progress& progress)
 {
   using SDDP = vtkStreamingDemandDrivenPipeline;
+  if (this->Grid)
+  {
+    this->Notes = this->Header.notes;
+    this->Header.components = this->Grid->read(this->Frame, this->Notes, progress);
+    this->NoteComponents();
+  }
   if (!this->Xml)
   {
     info->Set(SDDP::WHOLE_EXTENT(), this->Frame->GetExtent(), 6);
     info->Set(vtkDataObject::ORIGIN(), this->Frame->GetOrigin(), 3);
     info->Set(vtkDataObject::SPACING(), this->Frame->GetSpacing(), 3);
     info->Set(vtkDataObject::DIRECTION(), this->Frame->GetDirectionMatrix()->GetData(), 9);
-    vtkDataObject::SetPointDataActiveScalarInfo(info, this->Header.valueType(), 1);
+    vtkDataObject::SetPointDataActiveScalarInfo(
+      info, this->Grid ? this->Frame->GetScalarType() : this->Header.valueType(), 1);
     return;
   }
   vtkInformation* from = this->Xml->information();
@@ -240,6 +265,12 @@ void vtkInkVolumeReader::Source::Read(const int extent[6], vtkImageData* image, 
     this->NoteComponents();
     return;
   }
+  if (this->Grid)
+  {
+    image->ShallowCopy(this->Frame);
+    image->Crop(extent);
+    return;
+  }
   // Not CopyStructure, which drops the last part's memory: it is used again.
   image->SetOrigin(this->Frame->GetOrigin());
   image->SetSpacing(this->Frame->GetSpacing());
@@ -257,6 +288,15 @@ void vtkInkVolumeReader::Respace(double spacing[3]) const
 {
   std::transform(spacing, spacing + 3, this->Spacing, spacing,
     [](double given, double wanted) { return wanted != 0.0 ? std::abs(wanted) : given; });
+}
+
+ink::Progress vtkInkVolumeReader::MakeProgress()
+{
+  return [this](double done)
+  {
+    this->UpdateProgress(done);
+    return !InkCheckAbort(this);
+  };
 }
 
 vtkInkVolumeReader::vtkInkVolumeReader()
@@ -319,6 +359,11 @@ vtkTypeInt64 vtkInkVolumeReader::GetMemorySize()
     return 0;
   }
   const io::RawVolume& voxels = this->Found->Header.voxels;
+  if (this->Found->Grid)
+  {
+    vtkImageData* image = this->Found->Frame;
+    return image->GetNumberOfPoints() * image->GetScalarSize();
+  }
   return static_cast<vtkTypeInt64>(this->Found->Xml
       ? this->Found->Xml->memorySize()
       : voxels.sliceValues() * static_cast<std::uint64_t>(voxels.dimensions[2]) * voxels.valueSize());
@@ -338,7 +383,7 @@ const char* vtkInkVolumeReader::GetNote(int index)
 
 bool vtkInkVolumeReader::HasPlainVoxels()
 {
-  return this->Found && !this->Found->Xml && !this->Found->Header.isScaled() &&
+  return this->Found && !this->Found->Xml && !this->Found->Grid && !this->Found->Header.isScaled() &&
     this->Found->Header.voxels.encoding == io::VoxelEncoding::Plain;
 }
 
@@ -365,7 +410,7 @@ int vtkInkVolumeReader::RequestInformation(
       ? std::make_unique<Source>(
           RawHeader(file, this->RawDimensions, this->RawScalarType, this->RawBigEndian), file)
       : Source::Open(file);
-    source->Announce(info);
+    source->Announce(info, this->MakeProgress());
     double spacing[3];
     info->Get(vtkDataObject::SPACING(), spacing);
     this->Respace(spacing);
@@ -392,12 +437,7 @@ int vtkInkVolumeReader::RequestData(
   }
   try
   {
-    this->Found->Read(extent, image,
-      [this](double done)
-      {
-        this->UpdateProgress(done);
-        return !InkCheckAbort(this);
-      });
+    this->Found->Read(extent, image, this->MakeProgress());
     double spacing[3];
     image->GetSpacing(spacing);
     this->Respace(spacing);

@@ -101,6 +101,39 @@ def vertex_vtp(path):
                     + "</Piece></PolyData></VTKFile>\n")
 
 
+def grid_xml(path, kind, points):
+    values = "".join(f"{v} " for v in range(18))
+    path.write_text(f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="1.0" byte_order="LittleEndian" '
+                    f'header_type="UInt64">\n<{kind} WholeExtent="0 2 0 2 0 1"><Piece Extent="0 2 0 2 0 1">\n'
+                    f'<PointData Scalars="a"><DataArray type="Float32" Name="a" format="ascii">{values}</DataArray>'
+                    f'</PointData>\n{points}\n</Piece></{kind}></VTKFile>\n')
+
+
+def vtr(path):
+    grid_xml(path, "RectilinearGrid", "<Coordinates>" + "".join(
+        f'<DataArray type="Float64" Name="{name}" format="ascii">{row}</DataArray>'
+        for name, row in (("x", "0 1 3"), ("y", "0 2 3"), ("z", "0 1"))) + "</Coordinates>")
+
+
+def vts(path):
+    points = "".join(f"{i % 3 + i // 9} {i // 3 % 3} {i // 9} " for i in range(18))
+    grid_xml(path, "StructuredGrid",
+             f'<Points><DataArray type="Float32" NumberOfComponents="3" format="ascii">{points}</DataArray></Points>')
+
+
+def grid_vtk(path):
+    path.write_text("# vtk DataFile Version 3.0\ntest\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS 2 2 2\nPOINTS 8 float\n"
+                    + "".join(f"{i % 2 + i // 4} {i // 2 % 2} {i // 4}\n" for i in range(8))
+                    + "POINT_DATA 8\nSCALARS a float\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\n")
+
+
+def rectilinear_vtk(path):
+    path.write_bytes(b"# vtk DataFile Version 3.0\ntest\nBINARY\nDATASET RECTILINEAR_GRID\nDIMENSIONS 3 2 2\n"
+                     + b"".join(b"%s_COORDINATES %d float\n" % (name, len(row)) + np.array(row, ">f4").tobytes() + b"\n"
+                                for name, row in ((b"X", [0, 1, 3]), (b"Y", [0, 1]), (b"Z", [1, 0])))
+                     + b"POINT_DATA 12\nSCALARS a short\nLOOKUP_TABLE default\n" + np.arange(12, dtype=">i2").tobytes())
+
+
 def field_vtk(path):
     path.write_text("# vtk DataFile Version 2.0\ntest\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nASPECT_RATIO 1 1 1\n"
                     "ORIGIN 0 0 0\nCELL_DATA 1\nSCALARS c float\nLOOKUP_TABLE t\n1\nLOOKUP_TABLE t 1\n0 0 0 1\n"
@@ -165,6 +198,10 @@ SEEDS = {
     "vtk/ascii": lambda p: ink_files.write_legacy(p, VOLUME, ascii=True),
     "vtk/cells": lambda p: ink_files.write_legacy(p, VOLUME, where="CELL_DATA"),
     "vtk/fields": field_vtk,
+    "vtk/rectilinear": rectilinear_vtk,
+    "vtk/structured": grid_vtk,
+    "vtr/plain": vtr,
+    "vts/plain": vts,
     "dicom/slice": dicom,
     "dicom/implicit": lambda p: dicom(p, implicit=True),
     "dicom/enhanced": enhanced_dicom,

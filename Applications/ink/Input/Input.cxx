@@ -94,16 +94,13 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   {
     return readMesh(options, progress);
   }
-  if (suffix == ".vtr" || suffix == ".vts" || suffix == ".vtu")
+  if (suffix == ".vtu")
   {
-    const std::string kind = suffix == ".vtr" ? "a rectilinear"
-      : suffix == ".vts"                      ? "a structured"
-                                              : "an unstructured";
     failToRead(file,
-      "it is a file of " + kind +
-        " grid; expected an image or a mesh: ParaView's filters Resample To Image and Extract Surface make "
-        "them (.vti, "
-        ".vtp), or VTK's vtkResampleToImage and vtkDataSetSurfaceFilter");
+      "it is a file of an unstructured grid; expected an image or a mesh: ParaView's filters Resample To "
+      "Image and Extract Surface make "
+      "them (.vti, "
+      ".vtp), or VTK's vtkResampleToImage and vtkDataSetSurfaceFilter");
   }
   if (io::isSeries(file))
   {

@@ -121,7 +121,9 @@ private:
     {
       return otherwise;
     }
-    const std::optional<double> number = numberIn(value);
+    // VTK's writers leave room for offsets that they know last.
+    std::string_view words = value;
+    const std::optional<double> number = numberIn(nextWord(words));
     if (!number || !(*number >= 0.0) || *number != std::floor(*number))
     {
       failToRead(this->File,
@@ -166,7 +168,7 @@ private:
       {
         failToRead(this->File,
           "its element Piece says Extent '" + shortened(attribute(piece, "Extent")) +
-            "', which reaches beyond the image's WholeExtent");
+            "', which reaches beyond its WholeExtent");
       }
     }
   }
@@ -174,13 +176,13 @@ private:
   void checkElement(vtkXMLDataElement* element)
   {
     const std::string name = element->GetName() ? element->GetName() : "";
-    if (name == "ImageData")
+    if (name == "ImageData" || name == "RectilinearGrid" || name == "StructuredGrid")
     {
       this->Whole = this->extentOf(element, "WholeExtent");
-      this->ImagePoints = 1.0;
+      this->GridPoints = 1.0;
       for (std::size_t i = 0; i < this->Whole.size(); i += 2)
       {
-        this->ImagePoints *= this->Whole[i + 1] - this->Whole[i] + 1.0;
+        this->GridPoints *= this->Whole[i + 1] - this->Whole[i] + 1.0;
       }
     }
     else if (name == "Piece")
@@ -217,9 +219,9 @@ private:
   {
     const auto components = [this](vtkXMLDataElement* array)
     { return this->number(array, "NumberOfComponents", 1.0); };
-    double points = this->ImagePoints;
+    double points = this->GridPoints;
     double cells = 0.0;
-    if (this->ImagePoints > 0.0)
+    if (this->GridPoints > 0.0)
     {
       // The values of all pieces are one array.
       this->checkPieceExtent(piece);
@@ -239,9 +241,14 @@ private:
         this->fail(piece, formatNumber(points) + " points and " + formatNumber(cells) + " cells");
       }
     }
-    const double bytes =
+    double bytes =
       points * (tupleBytes(piece, "PointData", components) + tupleBytes(piece, "Points", components)) +
       cells * tupleBytes(piece, "CellData", components);
+    // Of each point along x, y and z.
+    for (std::size_t i = 0; i < this->Whole.size(); i += 2)
+    {
+      bytes += (this->Whole[i + 1] - this->Whole[i] + 1.0) * tupleBytes(piece, "Coordinates", components);
+    }
     if (!(bytes <= this->Most))
     {
       this->fail(piece, formatNumber(bytes) + " bytes of values");
@@ -356,7 +363,7 @@ private:
   double Size;
   double Most = 0.0;
   Extent Whole{};
-  double ImagePoints = 0.0;
+  double GridPoints = 0.0;
   std::size_t HeaderSize = 4;
   bool IsCompressed = false;
   bool IsBigEndian = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeHeader.h"
 
+#include "Core/FormatNumber.h"
 #include "ReadError.h"
 #include "Words.h"
 
@@ -52,12 +53,13 @@ struct Chosen
   bool scalars = false;
   Block block;
   int type = VTK_VOID;
-  std::uint64_t begin = 0; ///< in the file
-  double tuples = 0;       ///< that the points, or the cells, should have
+  std::streamoff begin = 0; ///< in the file
+  double tuples = 0;        ///< that the points, or the cells, should have
 };
 
-/// Reads structured points up to the values that are used: the first SCALARS of points, else the first
-/// others; where points have none, those of cells, as voxels in the cells' centers.
+/// Reads structured points, or a rectilinear or structured grid, up to the values that are used: the first
+/// SCALARS of points, else the first others; where points have none, those of cells, as voxels in the cells'
+/// centers.
 class LegacyText
 {
 public:
@@ -70,12 +72,11 @@ public:
 
   VolumeHeader read()
   {
-    this->Header.format = "legacy VTK file of structured points";
     this->readStart();
     std::string word;
     while (!this->OfPoints.scalars && this->tryWord(word))
     {
-      if (!this->takeShape(word) && !this->takeValues(word))
+      if (!this->takeShape(word) && !this->takeCoordinates(word) && !this->takeValues(word))
       {
         this->fail(word, "a keyword as DIMENSIONS, POINT_DATA or SCALARS");
       }
@@ -87,6 +88,7 @@ public:
     }
     this->use(chosen);
     this->Header.voxels.check(this->File);
+    this->checkCoordinates();
     return this->Header;
   }
 
@@ -155,16 +157,19 @@ private:
       this->fail(encoding, "ASCII or BINARY");
     }
     this->IsText = encoding == "ascii";
-    for (const char* expected : { "dataset", "structured_points" })
+    static const std::map<std::string, const char*> kinds{ { "structured_points", "structured points" },
+      { "rectilinear_grid", "a rectilinear grid" }, { "structured_grid", "a structured grid" } };
+    const std::string keyword = this->word("DATASET");
+    this->Kind = keyword == "dataset" ? this->word("a kind of dataset") : keyword;
+    const auto kind = kinds.find(this->Kind);
+    if (kind == kinds.end())
     {
-      if (const std::string word = this->word(expected); word != expected)
-      {
-        failToRead(this->File,
-          "it is not a legacy VTK file of structured points: it says '" + shortened(word) +
-            "'; expected DATASET STRUCTURED_POINTS, which ParaView's filter Resample To Image makes of other "
-            "grids");
-      }
+      failToRead(this->File,
+        "it is not a legacy VTK file of a volume: it says '" + shortened(this->Kind) +
+          "'; expected DATASET STRUCTURED_POINTS, RECTILINEAR_GRID or STRUCTURED_GRID, or STRUCTURED_POINTS, "
+          "which ParaView's filter Resample To Image makes of other grids");
     }
+    this->Header.format = std::string("legacy VTK file of ") + kind->second;
   }
 
   /// @return whether keyword is one that says where the voxels lie
@@ -220,6 +225,73 @@ private:
       return false;
     }
     return true;
+  }
+
+  /// @return whether keyword is one that coordinates of a grid follow
+  bool takeCoordinates(const std::string& keyword)
+  {
+    static const std::map<std::string, std::string> kinds{ { "x_coordinates", "rectilinear_grid" },
+      { "y_coordinates", "rectilinear_grid" }, { "z_coordinates", "rectilinear_grid" },
+      { "points", "structured_grid" } };
+    const auto kind = kinds.find(keyword);
+    if (kind == kinds.end() || kind->second != this->Kind)
+    {
+      return false;
+    }
+    const int* dimensions = this->Header.voxels.dimensions;
+    const bool arePoints = keyword == "points";
+    std::vector<RawVolume>& all = this->Header.coordinates;
+    const double expected = arePoints ? static_cast<double>(this->Header.voxels.sliceValues()) * dimensions[2]
+                                      : dimensions[keyword.front() - 'x'];
+    const double found = this->whole(0, "a number of coordinates");
+    const std::string typeName = this->word("a type");
+    this->endLine();
+    const int type = legacyTypeOf(typeName);
+    const std::size_t place = arePoints ? 0 : static_cast<std::size_t>(keyword.front() - 'x');
+    if (found != expected || place != all.size() || type == VTK_VOID || type == bits)
+    {
+      failToRead(this->File,
+        "it has " + formatNumber(found) + " " + keyword + " of type '" + shortened(typeName) +
+          "'; expected " + formatNumber(expected) +
+          " numbers as float, as many as its DIMENSIONS say, and those along x first");
+    }
+    RawVolume coordinates;
+    constexpr int perPoint = 3;
+    coordinates.dimensions[0] = arePoints ? perPoint * dimensions[0] : dimensions[place];
+    coordinates.dimensions[1] = arePoints ? dimensions[1] : 1;
+    coordinates.dimensions[2] = arePoints ? dimensions[2] : 1;
+    this->place(coordinates, type, this->Stream.tellg());
+    all.push_back(coordinates);
+    this->skip(found * (arePoints ? perPoint : 1), type);
+    return true;
+  }
+
+  void checkCoordinates() const
+  {
+    const std::size_t expected =
+      this->Kind == "structured_points" ? 0 : (this->Kind == "rectilinear_grid" ? 3 : 1);
+    if (this->Header.coordinates.size() != expected)
+    {
+      failToRead(this->File,
+        "it does not say where its points are: expected " +
+          std::string(expected == 1 ? "POINTS" : "X_COORDINATES, Y_COORDINATES and Z_COORDINATES"));
+    }
+    for (const RawVolume& coordinates : this->Header.coordinates)
+    {
+      coordinates.check(this->File);
+    }
+  }
+
+  void place(RawVolume& values, int type, std::streamoff begin) const
+  {
+    values.type = type;
+    values.files = { this->File };
+    values.offset = static_cast<std::uint64_t>(std::max<std::streamoff>(begin, 0));
+    values.encoding = this->IsText ? VoxelEncoding::Text : VoxelEncoding::Plain;
+    if (!this->IsText)
+    {
+      values.setBigEndian(true);
+    }
   }
 
   /// @return whether keyword is one that values follow
@@ -325,7 +397,7 @@ private:
     }
     if (isUsed)
     {
-      *this->In = { true, areScalars, block, type, static_cast<std::uint64_t>(begin), this->Tuples };
+      *this->In = { true, areScalars, block, type, begin, this->Tuples };
       if (this->OfPoints.scalars)
       {
         return;
@@ -346,15 +418,8 @@ private:
     {
       this->moveToCells();
     }
-    voxels.files = { this->File };
-    voxels.offset = chosen.begin;
-    voxels.type = chosen.type;
+    this->place(voxels, chosen.type, chosen.begin);
     voxels.components = static_cast<int>(chosen.block.components);
-    voxels.encoding = this->IsText ? VoxelEncoding::Text : VoxelEncoding::Plain;
-    if (!this->IsText)
-    {
-      voxels.setBigEndian(true);
-    }
     this->Header.components = voxels.components;
     if (!chosen.scalars)
     {
@@ -412,6 +477,7 @@ private:
   std::ifstream Stream;
   double Size;
   bool IsText = false;
+  std::string Kind; ///< of dataset
   Chosen OfPoints;
   Chosen OfCells;
   Chosen* In = nullptr; ///< whose values come next; null: nobody's

@@ -23,6 +23,9 @@ struct VolumeHeader
   double spacing[3] = { 1, 1, 1 };
   double origin[3] = { 0, 0, 0 };
   std::optional<Orientation> orientation; ///< in place of `origin`
+  /// Of a grid that is no image: its coordinates along x, y and z (rectilinear), or its points, x, y and z of
+  /// each in turn (structured), in place of all of the above.
+  std::vector<RawVolume> coordinates;
   ValueScale scale;
   std::vector<ValueScale> sliceScales; ///< of each slice; none where they all have `scale`
   bool isScaled() const
@@ -54,7 +57,7 @@ VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
 VolumeHeader readTiffHeader(const std::filesystem::path& path);
 /// Whether most files of a folder are TIFF files by their names.
 bool isFolderOfTiffs(const std::filesystem::path& folder);
-/// Of structured points in a legacy VTK file.
+/// Of structured points, or a rectilinear or structured grid, in a legacy VTK file.
 VolumeHeader readLegacyHeader(const std::filesystem::path& file);
 
 /// What is said of files whose values belong to cells.
