@@ -4,6 +4,7 @@
 #include "Core/FormatNumber.h"
 #include "DicomFile.h"
 #include "FileFormats.h"
+#include "FirstBytes.h"
 #include "GridVolume.h"
 #include "InkKeepRange.h"
 #include "InkReportReadError.h"
@@ -118,7 +119,13 @@ io::VolumeHeader RawHeader(const fs::path& file, const int dimensions[3], int ty
     static_cast<double>(header.voxels.valueSize()) * dimensions[0] * dimensions[1] * dimensions[2];
   constexpr double mostBytes = 0x1p63;
   const std::uint64_t found = fs::file_size(file);
-  if (bytes >= mostBytes || found != header.voxels.fileBytes())
+  const bool fits = bytes < mostBytes && found == header.voxels.fileBytes();
+  if (!fits && bytes < mostBytes && io::FirstBytes(file, 1).compressed)
+  {
+    header.format = "compressed raw volume";
+    header.voxels.encoding = io::VoxelEncoding::Compressed;
+  }
+  else if (!fits)
   {
     io::failToRead(file,
       "it has " + std::to_string(found) + " bytes, but " + ink::formatDimensions(dimensions) + " " +

@@ -82,7 +82,7 @@ public:
   ///@{
   /**
    * The file has no header: the properties that begin with Raw say how its voxels lie, x fastest, and it has
-   * to have exactly as many bytes. Default: off.
+   * to have exactly as many bytes, or, compressed with gzip, at least as many. Default: off.
    */
   vtkSetMacro(Raw, bool);
   vtkGetMacro(Raw, bool);

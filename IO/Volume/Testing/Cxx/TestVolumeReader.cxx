@@ -92,6 +92,7 @@ TEST(VolumeReader, PartsAreThoseOfTheWhole)
 {
   std::vector<std::string> files = All("VolumeReaderParts");
   files.push_back(Put("VolumeReaderParts.raw", Bytes(false)));
+  files.push_back(Gzip("VolumeReaderParts.gz.raw", Bytes(false)));
   for (const std::string& file : files)
   {
     const auto reader = file.ends_with(".raw") ? RawReaderOf(file) : ReaderOf(file);
@@ -124,6 +125,17 @@ TEST(VolumeReader, RawFilesHaveTheLayoutThatIsSet)
     EXPECT_EQ(reader->GetOutput()->GetSpacing()[0], 0.25);
     EXPECT_EQ(reader->GetOutput()->GetSpacing()[1], 1.0);
   }
+}
+
+TEST(VolumeReader, CompressedRawFilesAreReadWhole)
+{
+  const std::string file = Gzip("VolumeReaderCompressed.raw.gz", Bytes(true));
+  const auto reader = RawReaderOf(file);
+  reader->RawBigEndianOn();
+  reader->Update();
+  EXPECT_STREQ(reader->GetFormat(), "compressed raw volume");
+  EXPECT_FALSE(reader->HasPlainVoxels());
+  ExpectValues(reader->GetOutput(), file);
 }
 
 TEST(VolumeReader, RescaledValuesHaveTheTypeThatWasAnnounced)
