@@ -3,6 +3,7 @@
 
 #include "Core/FormatNumber.h"
 #include "ReadError.h"
+#include "TextHeader.h"
 #include "Words.h"
 
 #include "vtkDataArray.h"
@@ -95,9 +96,7 @@ public:
 private:
   [[noreturn]] void fail(const std::string& found, const std::string& expected) const
   {
-    failToRead(this->File,
-      (found.empty() ? "the file ends" : "it says '" + shortened(found) + "'") + " where " + expected +
-        " was expected");
+    failAtWord(this->File, found, expected);
   }
 
   /// In small letters, as the format does not tell them from large ones. @return false at the end

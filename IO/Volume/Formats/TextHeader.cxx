@@ -3,10 +3,14 @@
 
 #include "Pattern.h"
 #include "ReadError.h"
+#include "Words.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <optional>
 #include <sstream>
 
 namespace fs = std::filesystem;
@@ -153,6 +157,35 @@ std::vector<fs::path> detachedFiles(const fs::path& header, const std::string& d
     }
   }
   return files;
+}
+
+void failAtWord(const fs::path& file, std::string_view found, const std::string& expected)
+{
+  failToRead(file,
+    (found.empty() ? "the file ends" : "it says '" + shortened(found) + "'") + " where " + expected +
+      " was expected");
+}
+
+double takeNumber(std::string_view& text, const fs::path& file, const char* expected)
+{
+  const std::string_view word = nextWord(text);
+  const std::optional<double> number = numberIn(word);
+  if (!number || !std::isfinite(*number))
+  {
+    failAtWord(file, word, expected);
+  }
+  return *number;
+}
+
+int takeWhole(std::string_view& text, int least, const fs::path& file, const char* expected)
+{
+  const std::string_view word = nextWord(text);
+  const double number = numberIn(word).value_or(std::nan(""));
+  if (!(number >= least && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
+  {
+    failAtWord(file, word, expected);
+  }
+  return static_cast<int>(number);
 }
 
 std::vector<double> numbersIn(std::string text)

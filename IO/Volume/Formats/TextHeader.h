@@ -5,6 +5,7 @@
 #include <ios>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ink::io
@@ -28,6 +29,15 @@ std::string fieldOf(const TextFields& fields, const char* name, const char* othe
 /// there is no such file, or slices cannot be shared out to them.
 std::vector<std::filesystem::path> detachedFiles(
   const std::filesystem::path& header, const std::string& description, int slices);
+
+/// Says what was found, a word or, if it is empty, the file's end. @throws ReadError always
+[[noreturn]] void failAtWord(
+  const std::filesystem::path& file, std::string_view found, const std::string& expected);
+
+/// Takes a finite number, or a whole one of at least `least`, from the front of text. @param expected what it
+/// is, for the message. @throws ReadError if the next word is none
+double takeNumber(std::string_view& text, const std::filesystem::path& file, const char* expected);
+int takeWhole(std::string_view& text, int least, const std::filesystem::path& file, const char* expected);
 
 /// All numbers in text, which may stand between spaces, commas and parentheses.
 std::vector<double> numbersIn(std::string text);
