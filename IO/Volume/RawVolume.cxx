@@ -87,6 +87,12 @@ void RawVolume::check(const fs::path& header) const
       needed += this->skipped;
       most = found * Inflater::mostPerByte;
     }
+    else if (this->encoding == VoxelEncoding::Runs)
+    {
+      // Two bytes make 127 at most.
+      constexpr std::uint64_t mostOfARun = 127;
+      most = found * mostOfARun / 2;
+    }
     else if (this->encoding == VoxelEncoding::Text)
     {
       // A digit and a space.
@@ -97,9 +103,9 @@ void RawVolume::check(const fs::path& header) const
     {
       failToRead(header,
         "it has " + std::to_string(found) + " bytes of " +
-          (this->encoding == VoxelEncoding::Compressed
-              ? "compressed data"
-              : (this->encoding == VoxelEncoding::Text ? "text" : "data")) +
+          (this->encoding == VoxelEncoding::Plain
+              ? "data"
+              : (this->encoding == VoxelEncoding::Text ? "text" : "compressed data")) +
           ", but its header promises " + std::to_string(needed) +
           (this->encoding == VoxelEncoding::Text ? " values" : ""));
     }

@@ -21,6 +21,7 @@ enum class VoxelEncoding
   Plain,      ///< as in memory: a part can be read without the rest
   Compressed, ///< zlib or gzip
   Text,
+  Runs,  ///< run lengths of bytes, slice by slice, as VolVis has them
   Pages, ///< of TIFF files, as libtiff reads them
   Frames ///< of DICOM files, as GDCM decompresses them
 };

@@ -180,59 +180,158 @@ void append(std::vector<unsigned char>& bytes, double number)
   bytes.insert(bytes.end(), begin, begin + sizeof(T));
 }
 
-class TextBytes : public SerialBytes
+/// What is made piece by piece from the rest of a file.
+class PieceBytes : public SerialBytes
 {
 public:
-  explicit TextBytes(const RawVolume& voxels)
+  explicit PieceBytes(const RawVolume& voxels)
     : File(voxels.files.front())
-    , Type(voxels.type)
     , Contents(contentsOf(this->File))
-    , Text(
+    , Rest(
         std::string_view(this->Contents).substr(std::min<std::size_t>(voxels.offset, this->Contents.size())))
   {
   }
 
 protected:
-  void next(std::span<unsigned char> bytes) override
+  void next(std::span<unsigned char> bytes) final
   {
     while (!bytes.empty())
     {
-      if (this->Used == this->Value.size())
+      if (this->Used == this->Piece.size())
       {
-        this->nextValue();
+        this->Piece.clear();
+        this->Used = 0;
+        this->takePiece(this->Rest, this->Piece);
       }
-      const std::size_t some = std::min(bytes.size(), this->Value.size() - this->Used);
-      std::copy_n(this->Value.begin() + static_cast<std::ptrdiff_t>(this->Used), some, bytes.begin());
+      const std::size_t some = std::min(bytes.size(), this->Piece.size() - this->Used);
+      std::copy_n(this->Piece.begin() + static_cast<std::ptrdiff_t>(this->Used), some, bytes.begin());
       this->Used += some;
       bytes = bytes.subspan(some);
     }
   }
 
+  /// Makes the next piece, of one byte or more, of what it takes from the front of rest. @throws ReadError
+  virtual void takePiece(std::string_view& rest, std::vector<unsigned char>& piece) = 0;
+
+  const std::filesystem::path& file() const { return this->File; }
+
 private:
-  void nextValue()
+  std::filesystem::path File;
+  std::string Contents;
+  std::string_view Rest;
+  std::vector<unsigned char> Piece;
+  std::size_t Used = 0;
+};
+
+/// Of numbers that are written out.
+class TextBytes : public PieceBytes
+{
+public:
+  explicit TextBytes(const RawVolume& voxels)
+    : PieceBytes(voxels)
+    , Type(voxels.type)
   {
-    const std::string_view word = nextWord(this->Text);
+  }
+
+protected:
+  void takePiece(std::string_view& rest, std::vector<unsigned char>& piece) override
+  {
+    const std::string_view word = nextWord(rest);
     const std::optional<double> number = numberIn(word);
     if (!number)
     {
-      failToRead(this->File,
+      failToRead(this->file(),
         word.empty() ? "it holds fewer values than its header promises"
                      : "it says '" + shortened(word) + "' where the number of a voxel was expected");
     }
-    this->Value.clear();
-    this->Used = 0;
     switch (this->Type)
     {
-      vtkTemplateMacro(append<VTK_TT>(this->Value, *number));
+      vtkTemplateMacro(append<VTK_TT>(piece, *number));
     }
   }
 
-  std::filesystem::path File;
+private:
   int Type;
-  std::string Contents;
-  std::string_view Text;
-  std::vector<unsigned char> Value;
-  std::size_t Used = 0;
+};
+
+/// Of VolVis' slices of bytes: how many bytes the slice's runs take, an X, and the runs.
+class RunBytes : public PieceBytes
+{
+public:
+  explicit RunBytes(const RawVolume& voxels)
+    : PieceBytes(voxels)
+    , Values(voxels.sliceValues())
+  {
+  }
+
+protected:
+  void takePiece(std::string_view& rest, std::vector<unsigned char>& piece) override
+  {
+    ++this->Slice;
+    std::string_view runs = this->takeRuns(rest);
+    piece.reserve(this->Values);
+    while (!runs.empty())
+    {
+      const auto head = static_cast<unsigned char>(runs.front());
+      runs.remove_prefix(1);
+      const std::size_t count = head & 0x7fU;
+      if (count == 0)
+      {
+        break; // as the last one is
+      }
+      const bool areAlike = head == count;
+      const std::size_t stored = areAlike ? 1 : count;
+      if (stored > runs.size())
+      {
+        this->fail("end within a run, after " + std::to_string(piece.size()) + " of");
+      }
+      if (count > this->Values - piece.size())
+      {
+        this->fail("make more than");
+      }
+      piece.insert(piece.end(), runs.begin(), runs.begin() + static_cast<std::ptrdiff_t>(stored));
+      piece.insert(piece.end(), count - stored, piece.back());
+      runs.remove_prefix(stored);
+    }
+    if (piece.size() + 1 == this->Values && !piece.empty())
+    {
+      piece.push_back(piece.back()); // some writers leave it out
+    }
+    if (piece.size() != this->Values)
+    {
+      this->fail("end after " + std::to_string(piece.size()) + " of");
+    }
+  }
+
+private:
+  std::string_view takeRuns(std::string_view& rest) const
+  {
+    const std::string_view word = nextWord(rest);
+    const double size = numberIn(word).value_or(-1.0);
+    // The runs follow on the X.
+    const std::string_view mark = nextWord(rest);
+    const std::size_t left = mark.empty() ? 0 : mark.size() - 1 + rest.size();
+    if (!mark.starts_with('X') || !(size >= 0.0 && size <= static_cast<double>(left)))
+    {
+      failToRead(this->file(),
+        "it says '" + shortened(word) + ' ' + shortened(mark.substr(0, 1)) + "' where slice " +
+          std::to_string(this->Slice) + " begins; expected how many of the " + std::to_string(left) +
+          " bytes left it takes, and an X");
+    }
+    const std::string_view runs(mark.data() + 1, static_cast<std::size_t>(size));
+    rest = std::string_view(runs.data() + runs.size(), left - runs.size());
+    return runs;
+  }
+
+  [[noreturn]] void fail(const std::string& how) const
+  {
+    failToRead(this->file(),
+      "the run lengths of slice " + std::to_string(this->Slice) + ' ' + how + " its " +
+        std::to_string(this->Values) + " values");
+  }
+
+  std::size_t Values; ///< of a slice
+  int Slice = 0;      ///< from 1
 };
 
 void readPage(TiffFile& file, std::uint64_t directory, std::span<unsigned char> values)
@@ -362,6 +461,8 @@ std::unique_ptr<VoxelBytes> VoxelBytes::open(const RawVolume& voxels)
       return std::make_unique<InflatedBytes>(voxels);
     case VoxelEncoding::Text:
       return std::make_unique<TextBytes>(voxels);
+    case VoxelEncoding::Runs:
+      return std::make_unique<RunBytes>(voxels);
     case VoxelEncoding::Pages:
       return std::make_unique<PageBytes<TiffFile>>(voxels);
     case VoxelEncoding::Frames:

@@ -56,7 +56,8 @@ constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io:
   { ".ccp4", io::readMrcHeader }, { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr },
   { ".vtr", nullptr, true }, { ".vts", nullptr, true }, { ".vtk", io::readLegacyHeader },
   { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader }, { ".npy", io::readNpyHeader },
-  { ".tif", io::readTiffHeader }, { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
+  { ".slc", io::readSlcHeader }, { ".cube", io::readCubeHeader }, { ".tif", io::readTiffHeader },
+  { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
 constexpr Format dicom{ "", io::readDicomHeaders };
 
 std::string Text(const char* characters)

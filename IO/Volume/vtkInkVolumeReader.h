@@ -5,12 +5,13 @@
  *
  * Reads NIfTI (.nii, .nii.gz, pairs of .hdr and .img, also of Analyze 7.5, by either name), NRRD (.nrrd,
  * .nhdr), MetaImage (.mha, .mhd), MRC and CCP4 maps (.mrc, .map, .ccp4, each also with .gz), FreeSurfer
- * volumes (.mgh, .mgz), NumPy's arrays (.npy), VTK XML images (.vti), structured points of legacy VTK files
- * (.vtk), rectilinear and structured grids of either (.vtr, .vts, .vtk), which become images, TIFF stacks
- * (.tif, .tiff, with what ImageJ and OME write into them about distances, channels and times), a folder of
- * TIFF files, each of which is a slice, a folder of DICOM files, which becomes the series in it that has most
- * slices, one DICOM file (.dcm, or any name), which is a volume by itself or stands for the slices of its
- * series in its folder, and with Raw any file without a header. Which format it is the file's name tells.
+ * volumes (.mgh, .mgz), NumPy's arrays (.npy), VolVis' volumes (.slc), Gaussian's cubes (.cube), VTK XML
+ * images (.vti), structured points of legacy VTK files (.vtk), rectilinear and structured grids of either
+ * (.vtr, .vts, .vtk), which become images, TIFF stacks (.tif, .tiff, with what ImageJ and OME write into them
+ * about distances, channels and times), a folder of TIFF files, each of which is a slice, a folder of DICOM
+ * files, which becomes the series in it that has most slices, one DICOM file (.dcm, or any name), which is a
+ * volume by itself or stands for the slices of its series in its folder, and with Raw any file without a
+ * header. Which format it is the file's name tells.
  *
  * The output has one point array of one component: the first of voxels that have several, in the type of the
  * file, or, where the file says that its values are to be rescaled, in short or int if all have room and else

@@ -183,6 +183,12 @@ SEEDS = {
     "npy/fortran": lambda p: p.write_bytes(npy(np.asfortranarray(VOLUME.astype(">f2")))),
     "npy/components": lambda p: p.write_bytes(npy(np.stack([VOLUME] * 3, axis=-1).astype("<i8"))),
     "mgh/plain": lambda p: ink_files.write_mgh(p, VOLUME.astype("int16")),
+    "slc/plain": lambda p: ink_files.write_slc(p, VOLUME),
+    "slc/runs": lambda p: ink_files.write_slc(p, VOLUME, True),
+    "slc/alike": lambda p: p.write_bytes(b"11111\n9 9 2 8\n1 1 1\n1 5 0 1\n0 0 X" + b"5 X\x501\x81a\0" + b"3 X\x501\0"),
+    "cube/plain": lambda p: ink_files.write_cube(p, VOLUME),
+    "cube/orbitals": lambda p: p.write_text(
+        "orbitals\n\n-1 0 0 0 1\n-2 0.6 0.8 0\n-2 -0.8 0.6 0\n-2 0 0 1\n1 1 0 0 0\n2 7\n8\n" + "1E-3 2.5\n" * 8),
     "tif/plain": lambda p: ink_files.write_tiff(p, VOLUME),
     "tif/compressed": lambda p: ink_files.write_tiff(p, VOLUME.astype("uint16"), True),
     "tif/imagej": lambda p: ink_files.write_tiff(

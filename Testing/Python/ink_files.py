@@ -210,6 +210,43 @@ def write_mgh(path, volume):
     path.write_bytes(gzip.compress(data, mtime=0) if path.suffix == ".mgz" else data)
 
 
+def write_grid(path, volume):
+    """Points one apart, as a rectilinear grid (.vtr) or a structured one."""
+    nz, ny, nx = volume.shape
+    rectilinear = path.suffix == ".vtr"
+    kind = "RectilinearGrid" if rectilinear else "StructuredGrid"
+    array = '<DataArray type="Float32" Name="{}" NumberOfComponents="{}" format="ascii">{}</DataArray>'
+    rows = [" ".join(map(str, range(n))) for n in (nx, ny, nz)]
+    points = " ".join(f"{x} {y} {z}" for z in range(nz) for y in range(ny) for x in range(nx))
+    where = ("<Coordinates>" + "".join(array.format("xyz"[i], 1, row) for i, row in enumerate(rows)) + "</Coordinates>" if rectilinear
+             else "<Points>" + array.format("points", 3, points) + "</Points>")
+    extent = f"0 {nx - 1} 0 {ny - 1} 0 {nz - 1}"
+    values = array.format("a", 1, " ".join(map(str, volume.ravel())))
+    path.write_text(f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="1.0" byte_order="LittleEndian">\n'
+                    f'<{kind} WholeExtent="{extent}"><Piece Extent="{extent}"><PointData Scalars="a">{values}</PointData>\n'
+                    f'{where}</Piece></{kind}></VTKFile>\n')
+
+
+def write_slc(path, volume, compressed=False):
+    """Slices of bytes, or of runs of values that differ."""
+    data = b"11111\n%d %d %d 8\n1 1 1\n1 5 0 %d\n1 1 XRGB" % (*volume.shape[::-1], compressed)
+    for image in volume:
+        values = image.astype("uint8").tobytes()
+        if compressed:
+            parts = [values[i:i + 127] for i in range(0, len(values), 127)]
+            runs = b"".join(bytes([0x80 | len(part)]) + part for part in parts) + b"\0"
+            values = b"%d X" % len(runs) + runs
+        data += values
+    path.write_bytes(data)
+
+
+def write_cube(path, volume, atoms=1, extra=""):
+    """extra: the line after the atoms."""
+    lines = "".join(f"{n} {step}\n" for n, step in zip(volume.shape[::-1], ("1 0 0", "0 1 0", "0 0 1")))
+    values = "\n".join(" ".join(f"{v:.5E}" for v in row) for row in volume.transpose(2, 1, 0).reshape(-1, len(volume)))
+    path.write_text(f"test\n\n{atoms} 0 0 0\n{lines}6 6 1 1 1\n{extra}{values}\n")
+
+
 def dicom_element(group, element, vr, value, implicit=False):
     if isinstance(value, str):
         value = value.encode() + (b" " if vr != "UI" else b"\0") * (len(value) % 2)

@@ -23,8 +23,8 @@ constexpr const char* vdbSuffix = "";
 
 std::string InputArguments::fileHelp(const std::string& mesh)
 {
-  return "volume: .nii .nii.gz .hdr/.img .nrrd .nhdr .mha .mhd .mrc .map .ccp4 .mgz .npy .vti .vtr .vts .vtk "
-         ".tif .dcm" +
+  return "volume: .nii .nii.gz .hdr/.img .nrrd .nhdr .mha .mhd .mrc .map .ccp4 .mgz .npy .slc .cube .vti "
+         ".vtr .vts .vtk .tif .dcm" +
     std::string(vdbSuffix) + ", a folder of DICOM or TIFF files, or any file with --raw;\n" + mesh +
     ": .ply .obj .off .stl .vtp .vtk .xyz";
 }

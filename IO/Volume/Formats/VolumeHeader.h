@@ -42,6 +42,8 @@ struct VolumeHeader
 /// The headers of formats whose voxels need no reader of VTK. VTK's readers of these formats fall over
 /// headers that do not say what they expect: see Documentation/files.md. @throws ReadError if it is no such
 /// file, or its header promises more than there is.
+/// Of Gaussian's cubes.
+VolumeHeader readCubeHeader(const std::filesystem::path& file);
 VolumeHeader readDicomHeaders(const std::filesystem::path& path);
 VolumeHeader readMghHeader(const std::filesystem::path& file);
 VolumeHeader readMrcHeader(const std::filesystem::path& file);
@@ -53,6 +55,8 @@ std::optional<std::filesystem::path> findOtherOfPair(const std::filesystem::path
 VolumeHeader readNpyHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
+/// Of VolVis' volumes.
+VolumeHeader readSlcHeader(const std::filesystem::path& file);
 /// Of the pages of a TIFF file, or of the TIFF files of a folder, each of which is a slice.
 VolumeHeader readTiffHeader(const std::filesystem::path& path);
 /// Whether most files of a folder are TIFF files by their names.
