@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkMeshReader.h"
 
-#include "Core/FormatNumber.h"
 #include "FileFormats.h"
+#include "GridCells.h"
 #include "InkReportReadError.h"
 #include "InkVTKCompat.h"
 #include "MeshFiles.h"
 #include "ReadError.h"
 
 #include "vtkCellArray.h"
-#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -33,33 +32,13 @@ struct Format
 };
 constexpr Format formats[] = { { ".ply", "PLY mesh", io::readPly }, { ".obj", "OBJ mesh", io::readObj },
   { ".off", "OFF mesh", io::readOff }, { ".stl", "STL mesh", io::readStl },
-  { ".vtp", "VTK XML mesh (.vtp)", io::readVtp }, { ".vtk", "legacy VTK mesh", io::readLegacyMesh },
-  { ".xyz", "XYZ points", io::readXyz } };
+  { ".vtp", "VTK XML mesh (.vtp)", io::readVtp }, { ".vtu", "VTK XML unstructured grid (.vtu)", io::readVtu },
+  { ".vtk", "legacy VTK mesh", io::readLegacyMesh }, { ".xyz", "XYZ points", io::readXyz } };
 
 /// Null if it is none.
 const Format* FormatOf(const char* fileName)
 {
   return io::findFormat(formats, fileName ? fileName : "");
-}
-
-/// Cells of points that do not exist would crash whatever looks at them.
-void CheckCells(vtkPolyData* mesh, const fs::path& file)
-{
-  for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
-  {
-    if (!cells || cells->GetNumberOfConnectivityIds() == 0)
-    {
-      continue;
-    }
-    double range[2];
-    cells->GetConnectivityArray()->GetRange(range, 0);
-    if (range[0] < 0 || range[1] >= static_cast<double>(mesh->GetNumberOfPoints()))
-    {
-      io::failToRead(file,
-        "a cell has point " + ink::formatNumber(range[0] < 0 ? range[0] : range[1]) + ", but there are " +
-          std::to_string(mesh->GetNumberOfPoints()) + " points");
-    }
-  }
 }
 
 } // namespace
@@ -146,7 +125,11 @@ int vtkInkMeshReader::RequestData(vtkInformation*, vtkInformationVector**, vtkIn
     {
       io::failToRead(file, "it holds no points");
     }
-    CheckCells(mesh, file);
+    for (vtkCellArray* cells : { mesh->GetVerts(), mesh->GetLines(), mesh->GetPolys(), mesh->GetStrips() })
+    {
+      io::checkCells(cells, mesh->GetNumberOfPoints(), file);
+    }
+    io::checkValues(mesh, file);
   }
   catch (...)
   {

@@ -3,13 +3,18 @@
  * @class   vtkInkMeshReader
  * @brief   a mesh or points of any format as poly data, checked
  *
- * Reads PLY, OBJ, STL, VTK XML meshes (.vtp), legacy VTK ones (.vtk) and points as lines of numbers (.xyz: x,
- * y and z, and perhaps a normal). Which format it is the file's name tells.
+ * Reads PLY, OBJ, OFF, STL, VTK XML meshes (.vtp) and unstructured grids (.vtu), legacy VTK meshes (.vtk) and
+ * points as lines of numbers (.xyz: x, y and z, and perhaps a normal). Which format it is the file's name
+ * tells.
+ *
+ * Of an unstructured grid it is the outer surface, as of vtkGeometryFilter, with point and cell arrays: of
+ * solid cells, of which curved (quadratic) faces are subdivided once; cells that are faces, lines or vertices
+ * are taken as they are, and so are the points of a grid without cells. Cells of a higher order are refused.
  *
  * Coordinates are double where the file's are written as text or in double, so that those far from the origin
  * keep their digits; of STL, which has float, equal corners become one point. Normals become the array
  * Normals, colors of bytes RGB or RGBA, and what else a PLY's vertices have arrays of its names. What of a
- * file was not used, say the notes.
+ * file was not used, or that a surface was made, say the notes.
  *
  * Whatever is in the file, it is read whole or refused in one error that says what was found and what was
  * expected; no cell has points that are not there, and a header is believed only as far as there are bytes
@@ -63,8 +68,8 @@ public:
 
   ///@{
   /**
-   * What of the file is not used, after Update(), each a sentence without its dot. Null for an index that
-   * does not exist.
+   * What of the file is not used, or that a surface was made of it, after Update(), each a sentence without
+   * its dot. Null for an index that does not exist.
    */
   int GetNumberOfNotes();
   const char* GetNote(int index);

@@ -363,6 +363,19 @@ def write_vtp(path, mesh, form="appended", normals=True):
     path.write_bytes(vtk_xml("PolyData", content + "</Piece></PolyData>\n", appended))
 
 
+def write_vtu(path, mesh, form="appended"):
+    """The triangles as cells of an unstructured grid."""
+    points, _, triangles = mesh
+    appended = bytearray()
+    n = len(triangles)
+    content = f'<UnstructuredGrid><Piece NumberOfPoints="{len(points)}" NumberOfCells="{n}">\n'
+    content += f'<Points>{data_array("Points", points, form, appended, 3)}</Points>\n'
+    content += f'<Cells>{data_array("connectivity", triangles, form, appended)}'
+    content += data_array("offsets", np.arange(3, 3 * n + 1, 3, dtype="<i4"), form, appended)
+    content += f'{data_array("types", np.full(n, 5, "u1"), form, appended)}</Cells>\n'
+    path.write_bytes(vtk_xml("UnstructuredGrid", content + "</Piece></UnstructuredGrid>\n", appended))
+
+
 def read_png(path):
     """The pixels, [row from the top, column, component], 8 bits each."""
     data = path.read_bytes()

@@ -142,15 +142,7 @@ def test_unknown_type(refused, tmp_path):
     assert "'.docx'" in message and ".nii.gz" in message
 
 
-def test_grids_that_are_no_image_name_what_makes_one(refused, tmp_path):
-    path = tmp_path / "grid.VTU"
-    path.write_text("<VTKFile/>")
-    error = refused(1, path)
-    assert "it is a file of an unstructured grid; expected an image or a mesh" in error
-    assert "Resample To Image" in error and "vtkDataSetSurfaceFilter" in error
-
-
-@pytest.mark.parametrize("suffix", [".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtr", ".vts", ".vtk", ".ply", ".obj", ".stl", ".vtp"])
+@pytest.mark.parametrize("suffix", [".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtr", ".vts", ".vtk", ".ply", ".obj", ".stl", ".vtp", ".vtu"])
 @pytest.mark.parametrize("content", [b"This is no volume.\n", bytes(range(256)) * 20, b"\n", b"\0" * 1000],
                          ids=["text", "bytes", "newline", "zeros"])
 def test_contents_that_are_something_else(ink, tmp_path, suffix, content):
@@ -188,12 +180,18 @@ POINTS_VTP = ('<VTKFile type="PolyData" version="1.0" byte_order="LittleEndian">
               'NumberOfComponents="3" format="ascii">0 0 0 1 0 0 1 1 0</DataArray></Points><Verts><DataArray type="Int64" '
               'Name="connectivity" format="ascii">0 1 2</DataArray><DataArray type="Int64" Name="offsets" format="ascii">3'
               '</DataArray></Verts></Piece></PolyData></VTKFile>\n')
+TETRAHEDRON_VTU = ('<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian"><UnstructuredGrid>'
+                   '<Piece NumberOfPoints="4" NumberOfCells="1"><Points><DataArray type="Float32" NumberOfComponents="3" '
+                   'format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells><DataArray type="Int64" '
+                   'Name="connectivity" format="ascii">0 1 2 3</DataArray><DataArray type="Int64" Name="offsets" format="ascii">4'
+                   '</DataArray><DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells></Piece>'
+                   '</UnstructuredGrid></VTKFile>\n')
 LEGACY = ("# vtk DataFile Version 3.0\ntest\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nPOINT_DATA 8\n"
           "SCALARS a float 1\nLOOKUP_TABLE default\n1 2 3 4 5 6 7 8\n")
 
 
 @pytest.mark.parametrize("name, whole", [("m.ply", TRIANGLE_PLY), ("v.nrrd", NRRD_WITH_DIRECTIONS), ("m.obj", QUAD_OBJ),
-                                         ("v.mha", META), ("m.vtp", POINTS_VTP), ("v.vtk", LEGACY)])
+                                         ("v.mha", META), ("m.vtp", POINTS_VTP), ("m.vtu", TETRAHEDRON_VTU), ("v.vtk", LEGACY)])
 def test_files_that_are_broken_below_can_be_read(ink, tmp_path, name, whole):
     (tmp_path / name).write_text(whole)
     result = ink("info", tmp_path / name)
@@ -222,6 +220,10 @@ def test_files_that_are_broken_below_can_be_read(ink, tmp_path, name, whole):
     # Memory for numbers of points that are not there.
     ("m.vtp", POINTS_VTP, ">3</DataArray></Verts>", ">3000000000</DataArray></Verts>", "3e+09 points"),
     ("m.vtp", POINTS_VTP, 'NumberOfPoints="3"', 'NumberOfPoints="3000000000"', "points"),
+    ("m.vtu", TETRAHEDRON_VTU, 'NumberOfCells="1"', 'NumberOfCells="3000000000"', "cells"),
+    # Cells that VTK would look for beyond the points.
+    ("m.vtu", TETRAHEDRON_VTU, "0 1 2 3<", "0 1 2 4<", "a cell has point 4, but there are 4 points"),
+    ("m.vtu", TETRAHEDRON_VTU, ">10<", ">12<", "expected 8"),
     # The library's messages before ours.
     ("v.vtk", LEGACY, "ASCII", "ASCIJ", "'ascij'"),
     ("v.vtk", LEGACY, "DATASET", "DATASEU", "'dataseu'"),

@@ -270,6 +270,8 @@ MESHES = {
     "mesh.off": lambda p: ink_files.write_off(p, MESH),
     "appended.vtp": lambda p: ink_files.write_vtp(p, MESH),
     "ascii.vtp": lambda p: ink_files.write_vtp(p, MESH, "ascii", normals=False),
+    "appended.vtu": lambda p: ink_files.write_vtu(p, MESH),
+    "ascii.vtu": lambda p: ink_files.write_vtu(p, MESH, "ascii"),
 }
 
 

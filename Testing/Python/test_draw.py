@@ -35,6 +35,7 @@ FILES = {
     "m.off": lambda p: ink_files.write_off(p, MESH),
     "m.stl": lambda p: ink_files.write_stl(p, MESH),
     "m.vtp": lambda p: ink_files.write_vtp(p, MESH),
+    "m.vtu": lambda p: ink_files.write_vtu(p, MESH),
     "m.xyz": lambda p: np.savetxt(p, np.hstack(MESH[:2])),
 }
 

@@ -101,6 +101,7 @@ MESHES = {
     "m.off": lambda p: ink_files.write_off(p, MESH),
     "m.stl": lambda p: ink_files.write_stl(p, MESH),
     "m.vtp": lambda p: ink_files.write_vtp(p, MESH),
+    "m.vtu": lambda p: ink_files.write_vtu(p, MESH),
 }
 
 

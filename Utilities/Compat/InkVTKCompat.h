@@ -42,4 +42,18 @@ inline void InkReserveTuples(vtkAbstractArray* array, vtkIdType tuples)
   }
 }
 
+/// Whether a cell of a vtkUnstructuredGrid has faces of its own, as polyhedra. VTK 9.4 changed how they are
+/// kept.
+template <class Grid>
+bool InkHasFaces(Grid* grid, vtkIdType cell)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  auto* faces = grid->GetPolyhedronFaceLocations();
+  return faces && cell < faces->GetNumberOfCells() && faces->GetCellSize(cell) > 0;
+#else
+  auto* faces = grid->GetFaceLocations();
+  return faces && cell < faces->GetNumberOfValues() && faces->GetValue(cell) >= 0;
+#endif
+}
+
 #endif

@@ -94,14 +94,6 @@ Input read(const InputOptions& options, [[maybe_unused]] Wanted wanted, Progress
   {
     return readMesh(options, progress);
   }
-  if (suffix == ".vtu")
-  {
-    failToRead(file,
-      "it is a file of an unstructured grid; expected an image or a mesh: ParaView's filters Resample To "
-      "Image and Extract Surface make "
-      "them (.vti, "
-      ".vtp), or VTK's vtkResampleToImage and vtkDataSetSurfaceFilter");
-  }
   if (io::isSeries(file))
   {
     failToRead(file, "it is a series of files, which only 'ink render' takes; expected one file");

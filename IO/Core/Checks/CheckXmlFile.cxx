@@ -230,7 +230,8 @@ private:
     else
     {
       points = this->number(piece, "NumberOfPoints", 0.0);
-      for (const char* kind : { "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys" })
+      for (const char* kind :
+        { "NumberOfVerts", "NumberOfLines", "NumberOfStrips", "NumberOfPolys", "NumberOfCells" })
       {
         // Each is at least one number, where it ends.
         cells += this->number(piece, kind, 0.0);

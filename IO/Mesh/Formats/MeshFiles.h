@@ -19,7 +19,7 @@ namespace ink::io
 ///
 /// All of them take a file whole or not at all, and believe a header only as far as there are bytes for what
 /// it promises.
-/// @param notes what was not used, each a sentence without its dot, is added
+/// @param notes what was not used, or that a surface was made, each a sentence without its dot, is added
 /// @throws ReadError if it is not such a file or not whole, ReadAborted
 using MeshFileReader = vtkSmartPointer<vtkPolyData>(
   const std::filesystem::path& file, std::vector<std::string>& notes, const Progress& progress);
@@ -29,6 +29,7 @@ MeshFileReader readOff;
 MeshFileReader readPly;
 MeshFileReader readStl;
 MeshFileReader readVtp;
+MeshFileReader readVtu;
 MeshFileReader readXyz;
 
 /// Whether a file is a legacy VTK file of poly data, by its first lines; others of the same suffix hold

@@ -178,11 +178,11 @@ TEST(MeshReader, WhatCannotBeReadIsOneError)
   ExpectError({ "FileName is empty" }, "");
   ExpectError({ "'none.ply'", "no such file" }, "none.ply");
   ExpectError({ "the file is empty" }, Put("MeshReaderEmpty.obj", ""));
-  ExpectError({ "unknown type '.txt'; expected one of .ply .obj .off .stl .vtp .vtk .xyz" },
+  ExpectError({ "unknown type '.txt'; expected one of .ply .obj .off .stl .vtp .vtu .vtk .xyz" },
     Put("MeshReader.txt", "words"));
   ExpectError({ "it holds no points" }, Put("MeshReaderNothing.xyz", "# nothing\n"));
   ExpectError({ "line 2 is '1 2'; expected 3 numbers" }, Put("MeshReaderLine.xyz", "1 2 3\n1 2\n"));
-  for (const char* suffix : { ".ply", ".obj", ".stl", ".vtp", ".vtk", ".xyz" })
+  for (const char* suffix : { ".ply", ".obj", ".stl", ".vtp", ".vtu", ".vtk", ".xyz" })
   {
     ExpectError({ "cannot read", "MeshReaderWords" },
       Put(std::string("MeshReaderWords") + suffix, "v ery few words\n"));
@@ -259,4 +259,17 @@ TEST(MeshReader, CanBeAborted)
     reader->Update();
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << file;
   }
+}
+
+TEST(MeshReader, LegacyFilesThatAreNotSoundAreRefused)
+{
+  const std::string start = "# vtk DataFile Version 5.1\ntest\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
+                            "0 0 0 1 0 0 0 1 0\n";
+  const auto cells = [](const std::string& ends)
+  { return "POLYGONS 3 4\nOFFSETS vtktypeint64\n" + ends + "\nCONNECTIVITY vtktypeint64\n0 1 2 0\n"; };
+  ExpectError({ "a cell ends at number 3" }, Put("MeshReaderFalling.vtk", start + cells("0 4 3")));
+  ExpectError({ "a cell ends at number 5" }, Put("MeshReaderBeyond.vtk", start + cells("0 3 5")));
+  ExpectError({ "its array a has 2 values for 3 points" },
+    Put("MeshReaderFewValues.vtk",
+      start + cells("0 3 4") + "POINT_DATA 3\nFIELD FieldData 1\na 1 2 float\n1 2\n"));
 }
