@@ -253,14 +253,16 @@ std::string read(const Place& place, const std::string& layout)
 {
   std::istringstream meshes(vtkInkMeshReader::GetFileExtensions());
   const std::istream_iterator<std::string> none;
-  if (std::find(std::istream_iterator<std::string>(meshes), none, "." + place.format) != none)
+  const bool isMesh = std::find(std::istream_iterator<std::string>(meshes), none, "." + place.format) != none;
+  vtkNew<vtkInkMeshReader> mesh;
+  // Legacy VTK files may hold volumes.
+  if (isMesh && (place.format != "vtk" || mesh->CanReadFile(place.file.c_str()) != 0))
   {
-    vtkNew<vtkInkMeshReader> reader;
-    reader->SetFileName(place.file.c_str());
-    const std::string refused = run(reader, [&] { reader->Update(); });
+    mesh->SetFileName(place.file.c_str());
+    const std::string refused = run(mesh, [&] { mesh->Update(); });
     if (refused.empty())
     {
-      useMesh(reader->GetOutput());
+      useMesh(mesh->GetOutput());
     }
     return refused;
   }

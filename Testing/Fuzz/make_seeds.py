@@ -134,6 +134,32 @@ def rectilinear_vtk(path):
                      + b"POINT_DATA 12\nSCALARS a short\nLOOKUP_TABLE default\n" + np.arange(12, dtype=">i2").tobytes())
 
 
+def grid_vtu(path, points, connectivity, offsets, types, more="", version="1.0"):
+    path.write_text(f'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="{version}" byte_order="LittleEndian" '
+                    f'header_type="UInt64">\n<UnstructuredGrid><Piece NumberOfPoints="{len(points.split()) // 3}" '
+                    f'NumberOfCells="{len(types.split())}">\n<Points><DataArray type="Float64" NumberOfComponents="3" '
+                    f'format="ascii">{points}</DataArray></Points>\n<CellData><DataArray type="Int32" Name="n" '
+                    f'format="ascii">{types}</DataArray></CellData>\n<Cells>\n'
+                    + cell_array("connectivity", connectivity) + cell_array("offsets", offsets) + cell_array("types", types)
+                    + more + "</Cells>\n</Piece></UnstructuredGrid></VTKFile>\n")
+
+
+def legacy_mesh(path, sections, version="3.0"):
+    path.write_text(f"# vtk DataFile Version {version}\ntest\nASCII\nDATASET {sections}")
+
+
+def cell_array(name, numbers):
+    return f'<DataArray type="Int64" Name="{name}" format="ascii">{numbers}</DataArray>\n'
+
+
+CUBE = "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1"
+TETRAHEDRON = "0 0 0 2 0 0 0 2 0 0 0 2"
+MIDDLES = " 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 0 1 1"
+FACES = cell_array("faces", "4 3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2") + cell_array("faceoffsets", "17 -1")
+NEW_FACES = (cell_array("face_connectivity", "0 2 1 0 1 3 1 2 3 0 3 2") + cell_array("face_offsets", "3 6 9 12")
+             + cell_array("polyhedron_to_faces", "0 1 2 3") + cell_array("polyhedron_offsets", "4 4"))
+
+
 def field_vtk(path):
     path.write_text("# vtk DataFile Version 2.0\ntest\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\nASPECT_RATIO 1 1 1\n"
                     "ORIGIN 0 0 0\nCELL_DATA 1\nSCALARS c float\nLOOKUP_TABLE t\n1\nLOOKUP_TABLE t 1\n0 0 0 1\n"
@@ -159,6 +185,14 @@ SEEDS = {
     "vtp/binary": lambda p: ink_files.write_vtp(p, MESH, "binary"),
     "vtp/appended": lambda p: ink_files.write_vtp(p, MESH),
     "vtp/vertices": vertex_vtp,
+    "vtu/ascii": lambda p: ink_files.write_vtu(p, MESH, "ascii"),
+    "vtu/binary": lambda p: ink_files.write_vtu(p, MESH, "binary"),
+    "vtu/appended": lambda p: ink_files.write_vtu(p, MESH),
+    "vtu/mixed": lambda p: grid_vtu(p, CUBE, "0 1 2 3 4 5 6 7 0 1 2 4 0 1 5 4 0 1 6 7 5", "8 12 15 17 20 21", "12 10 5 3 4 1"),
+    "vtu/quadratic": lambda p: grid_vtu(p, TETRAHEDRON + MIDDLES, "0 1 2 3 4 5 6 7 8 9 0 1 2 4 5 6", "10 16", "24 22"),
+    "vtu/polyhedron": lambda p: grid_vtu(p, TETRAHEDRON, "0 1 2 3 0 1 2", "4 7", "42 7", FACES),
+    "vtu/new-polyhedron": lambda p: grid_vtu(p, TETRAHEDRON, "0 1 2 3 0 1 2", "4 7", "42 7", NEW_FACES, "2.3"),
+    "vtu/lagrange": lambda p: grid_vtu(p, CUBE, "0 1 2 3 4 5 6 7", "8", "72"),
     "xyz/plain": lambda p: p.write_text("# x y z\n0 0 0\n1,2,3\n+1e3 -.5 2\n"),
     "xyz/normals": lambda p: p.write_text("0 0 0 0 0 1\n1 2 3 0 1 0\n"),
     "nii/plain": lambda p: ink_files.write_nifti(p, VOLUME, AFFINE),
@@ -208,6 +242,10 @@ SEEDS = {
     "vtk/structured": grid_vtk,
     "vtr/plain": vtr,
     "vts/plain": vts,
+    "vtk/mesh": lambda p: legacy_mesh(p, "POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"
+                                         "LINES 1 3\n2 0 1\nPOINT_DATA 3\nNORMALS n float\n0 0 1 0 0 1 0 0 1\n"),
+    "vtk/mesh-offsets": lambda p: legacy_mesh(p, "POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 2 3\n"
+                                                 "OFFSETS vtktypeint64\n0 3\nCONNECTIVITY vtktypeint64\n0 1 2\n", "5.1"),
     "dicom/slice": dicom,
     "dicom/implicit": lambda p: dicom(p, implicit=True),
     "dicom/enhanced": enhanced_dicom,
