@@ -44,6 +44,10 @@ constexpr double thinObjectShare = 1e-4;
 constexpr double backgroundShare = 0.125;
 // The negative differences are as large as so many times the positive ones, at least.
 constexpr double leastNegative = 0.25;
+// Of fields of both signs that fade to 0, as orbitals, .58 to .88 of the values are within this share of the
+// largest.
+constexpr double faintValue = 0.01;
+constexpr double mostlyFaint = 0.5;
 // A field of view is padded with a value that this share of the voxels or more has, and that is so many times
 // as low as all others: CT, whose air is around -1000, with -1500 to -3024.
 constexpr double paddingShare = 0.01;
@@ -128,6 +132,21 @@ SliceReader<T> croppedSlices(
   };
 }
 
+/// The values of both signs below which a field is faint that fades to 0 on all sides of what it has, as an
+/// orbital; 0 if it does not.
+double faintBelow(const IsoStatistics& statistics, const std::vector<double>& kept)
+{
+  const ValueBins& bins = statistics.bins;
+  const double highest = bins.low + bins.width * bins.count;
+  if (!(-bins.low > leastNegative * highest && highest > leastNegative * -bins.low))
+  {
+    return 0.0;
+  }
+  const double faint = faintValue * std::max(-bins.low, highest);
+  const double share = kept[thresholdAt(bins, -faint)] - kept[thresholdAt(bins, faint)];
+  return share > mostlyFaint ? faint : 0.0;
+}
+
 /// The iso-values of clear boundaries, the best first.
 /// @param noisy of the values themselves, if the others are of smoothed ones
 std::vector<IsoSuggestion> suggestBoundaries(
@@ -135,6 +154,10 @@ std::vector<IsoSuggestion> suggestBoundaries(
 {
   const std::vector<double> kept = keptShares(statistics.voxels);
   std::vector<IsoBoundary> boundaries = findBoundaries(statistics, kept);
+  // However steep it is there, no material begins where an orbital changes its sign.
+  std::erase_if(boundaries,
+    [&, faint = faintBelow(statistics, kept)](const IsoBoundary& one)
+    { return std::abs(valueAt(statistics.bins, one.threshold)) < faint; });
   if (noisy)
   {
     std::erase_if(
@@ -339,7 +362,7 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
     const double share = kept[threshold];
     const double least =
       !integers && isAsSteepAsElsewhere(statistics, threshold) ? thinObjectShare : fragmentShare;
-    if (areDifferences(statistics, kept, threshold))
+    if (areDifferences(statistics, kept, threshold) || faintBelow(statistics, kept) > 0.0)
     {
       first = threshold + 2;
     }

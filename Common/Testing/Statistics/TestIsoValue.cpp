@@ -386,6 +386,26 @@ TEST(IsoValue, IsWhereASignedDistanceToLittleChangesItsSign)
   }
 }
 
+TEST(IsoValue, IsNotWhereAnOrbitalChangesItsSign)
+{
+  // Of the lobes of p and d orbitals; 2 voxels at the center are 1.
+  const auto across = [](std::size_t i) { return (static_cast<double>(i % size) - (size - 1) / 2.0) / 2.0; };
+  const auto along = [](std::size_t i)
+  { return (static_cast<double>(i / size % size) - (size - 1) / 2.0) / 2.0; };
+  const std::function<double(double, std::size_t)> orbitals[] = { [&](double d, std::size_t i)
+    { return across(i) * std::exp(-0.5 * d); },
+    [&](double d, std::size_t i) { return across(i) * along(i) * std::exp(-0.5 * d); } };
+  for (const auto& orbital : orbitals)
+  {
+    for (const ink::IsoSuggestion& one : suggestAll(volume<float>(orbital)))
+    {
+      EXPECT_GT(one.value, 0.02);
+      EXPECT_GT(one.keptShare, 0.001);
+      EXPECT_LT(one.keptShare, 0.1);
+    }
+  }
+}
+
 TEST(IsoValue, IsAClearBoundaryRatherThanWhereTheSignChanges)
 {
   // As a CT's air, fat and water.
