@@ -373,8 +373,8 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
     }
   }
   const IsoBoundary split = splitHistogram(statistics, kept, first);
-  suggestions.push_back(
-    { valueAt(statistics.bins, split.threshold), IsoSuggestion::Boundary::None, kept[split.index] });
+  suggestions.push_back({ valueAt(statistics.bins, split.threshold),
+    first > 0 ? IsoSuggestion::Boundary::Lobe : IsoSuggestion::Boundary::None, kept[split.index] });
   return suggestions;
 }
 

@@ -22,6 +22,7 @@ struct IsoSuggestion
     Bone,      ///< that of bone in CT, by its Hounsfield units
     Labels,    ///< the edge of all labels of a segmentation
     Sign, ///< no boundary is clear: 0, where an implicit function, such as a signed distance, has its surface
+    Lobe, ///< no boundary is clear: Otsu's threshold of the positive half of an orbital or differences
     None  ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two, or one below
   };
   double value;
@@ -79,8 +80,8 @@ struct IsoSuggestion
 /// scan that was cropped, the inside of the lungs would be seen: then it comes second, after the clearest one
 /// that keeps much less. If there is no boundary, it is 0 where the values have both signs and few edges
 /// cross it, and then Otsu's threshold (IEEE Trans. SMC 9, 1979), of what lies above it where its surface
-/// would be noise, of the positive values where they are differences around a background of 0, moved down as
-/// the first boundary is.
+/// would be noise, of the positive values where they are differences around a background of 0 or fade to it,
+/// moved down as the first boundary is.
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are

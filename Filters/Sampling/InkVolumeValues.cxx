@@ -246,6 +246,7 @@ std::string InkDescribe(const ink::IsoSuggestion& suggestion)
     : suggestion.boundary == Boundary::Densest                            ? "the boundary of the densest part"
     : suggestion.boundary == Boundary::Bone                               ? "bone, by its Hounsfield units"
     : suggestion.boundary == Boundary::Labels                             ? labels
+    : suggestion.boundary == Boundary::Lobe ? "around the positive values, as those of both signs fade to 0"
     : suggestion.boundary == Boundary::Sign ? "where the sign changes, as no boundary is clear"
                                             : "by Otsu's threshold, as no boundary is clear";
   return boundary + (", keeps " + PercentOf(suggestion)) + " % of the volume";
@@ -269,6 +270,12 @@ std::vector<std::string> InkDescribeChoice(const std::vector<ink::IsoSuggestion>
       PercentOf(suggestions.front()) +
       " % of the voxels, and may be that of no thing; other values can be given (IsoValues, --iso), or "
       "voxels stippled without a surface (StippleSource, --stipple-source, in the style stipple)");
+  }
+  if (suggestions.front().boundary == ink::IsoSuggestion::Boundary::Lobe)
+  {
+    const std::string value = ink::formatNumber(suggestions.front().value);
+    notes.push_back("nothing is drawn of the negative values; IsoValues -" + value + " and " + value +
+      " (--iso=-" + value + "," + value + ") draw both");
   }
   return notes;
 }
