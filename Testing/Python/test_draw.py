@@ -192,6 +192,17 @@ def test_what_is_drawn_without_a_clear_boundary_is_said(ink, tmp_path):
     assert "no boundary" not in ink("render", tmp_path / "b.vti", "--size", 100, "-o", tmp_path / "b.png").err
 
 
+def test_the_lobes_of_an_orbital_are_drawn_and_how_to_draw_both_signs_is_said(ink, tmp_path):
+    z, y, x = np.mgrid[-12:13, -12:13, -12:13] / 2.0
+    ink_files.write_vti(tmp_path / "o.vti", (x * y * np.exp(-np.sqrt(x**2 + y**2 + z**2) / 0.6)).astype(np.float32))
+    result = ink("render", tmp_path / "o.vti", "--style", "splatting-lines", "--size", 100, "-o", tmp_path / "o.png")
+    assert result.code == 0
+    both = re.search(r"nothing is drawn of the negative values; .*\(--iso=(-[\d.e-]+,[\d.e-]+)\) draw both", result.err)
+    drawn = ink("render", tmp_path / "o.vti", "--style", "splatting-lines", "--size", 100, "--iso=" + both[1], "-o", tmp_path / "b.png")
+    assert drawn.code == 0 and "negative" not in drawn.err
+    assert (tmp_path / "b.png").read_bytes() != (tmp_path / "o.png").read_bytes()
+
+
 def test_legacy_files_of_other_data(tmp_path):
     """vtkInkVolumeReader takes those of structured points; a title does not say what a file holds."""
     (tmp_path / "mesh.vtk").write_text("# vtk DataFile Version 3.0\nt\nASCII\ndataset polydata\nPOINTS 3 float\n"
