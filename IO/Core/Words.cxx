@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Words.h"
 
+#include "ReadError.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -65,6 +67,13 @@ std::string shortened(std::string_view line)
   std::replace_if(
     text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c > '~'; }, '?');
   return line.size() <= most ? text : text + "...";
+}
+
+void failAtWord(const std::filesystem::path& file, std::string_view found, const std::string& expected)
+{
+  failToRead(file,
+    (found.empty() ? "the file ends" : "it says '" + shortened(found) + "'") + " where " + expected +
+      " was expected");
 }
 
 bool comesBefore(const std::string& a, const std::string& b)

@@ -3,6 +3,7 @@
 
 #include "vtkInkIOCoreModule.h" // for the export macro
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,10 @@ VTKINKIOCORE_EXPORT std::optional<double> numberIn(std::string_view word);
 
 /// The beginning of a line, for a message; what cannot be printed everywhere becomes a question mark.
 VTKINKIOCORE_EXPORT std::string shortened(std::string_view line);
+
+/// Says what was found, a word or, if it is empty, the file's end. @throws ReadError always
+[[noreturn]] VTKINKIOCORE_EXPORT void failAtWord(
+  const std::filesystem::path& file, std::string_view found, const std::string& expected);
 
 /// Whether a name comes before another, numbers in them by their value, so that 10 comes after 9.
 VTKINKIOCORE_EXPORT bool comesBefore(const std::string& a, const std::string& b);

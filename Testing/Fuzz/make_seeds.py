@@ -148,6 +148,25 @@ def legacy_mesh(path, sections, version="3.0"):
     path.write_text(f"# vtk DataFile Version {version}\ntest\nASCII\nDATASET {sections}")
 
 
+def legacy_grid(path, version="3.0", binary=False):
+    """A tetrahedron and a triangle, with values."""
+    def numbers(values, dtype):
+        values = [int(v) for v in values.split()]
+        return (np.array(values, dtype).tobytes() if binary else " ".join(map(str, values)).encode()) + b"\n"
+
+    head = f"# vtk DataFile Version {version}\ntest\n{'BINARY' if binary else 'ASCII'}\nDATASET UNSTRUCTURED_GRID\n"
+    data = head.encode() + b"POINTS 4 float\n" + numbers(TETRAHEDRON, ">f4")
+    if version.startswith("5"):
+        data += b"CELLS 3 7\nOFFSETS vtktypeint64\n" + numbers("0 4 7", ">i8")
+        data += b"CONNECTIVITY vtktypeint64\n" + numbers("0 1 2 3 0 1 2", ">i8")
+    else:
+        data += b"CELLS 2 9\n" + numbers("4 0 1 2 3 3 0 1 2", ">i4")
+    data += b"CELL_TYPES 2\n" + numbers("10 5", ">i4")
+    data += b"POINT_DATA 4\nSCALARS a float 1\nLOOKUP_TABLE default\n" + numbers("1 2 3 4", ">f4")
+    data += b"CELL_DATA 2\nFIELD FieldData 1\nb 1 2 int\n" + numbers("7 8", ">i4")
+    path.write_bytes(data)
+
+
 def cell_array(name, numbers):
     return f'<DataArray type="Int64" Name="{name}" format="ascii">{numbers}</DataArray>\n'
 
@@ -242,6 +261,10 @@ SEEDS = {
     "vtk/structured": grid_vtk,
     "vtr/plain": vtr,
     "vts/plain": vts,
+    "vtk/grid": legacy_grid,
+    "vtk/grid-binary": lambda p: legacy_grid(p, "4.2", binary=True),
+    "vtk/grid-offsets": lambda p: legacy_grid(p, "5.1"),
+    "vtk/grid-offsets-binary": lambda p: legacy_grid(p, "5.1", binary=True),
     "vtk/mesh": lambda p: legacy_mesh(p, "POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n"
                                          "LINES 1 3\n2 0 1\nPOINT_DATA 3\nNORMALS n float\n0 0 1 0 0 1 0 0 1\n"),
     "vtk/mesh-offsets": lambda p: legacy_mesh(p, "POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 2 3\n"

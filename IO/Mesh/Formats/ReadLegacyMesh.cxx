@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFiles.h"
 
+#include "Core/FormatNumber.h"
+#include "GridCells.h"
+#include "LegacyFile.h"
 #include "ReadError.h"
 #include "ReaderProgress.h"
 #include "VtkMessages.h"
+#include "Words.h"
 
+#include "vtkCellType.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataReader.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridReader.h"
 
-#include <array>
-#include <cstdint>
-#include <fstream>
 #include <new>
-#include <sstream>
+#include <set>
+#include <string>
+#include <utility>
 
 namespace ink::io
 {
@@ -21,142 +27,136 @@ namespace ink::io
 namespace
 {
 
-std::string lowered(std::string text)
-{
-  for (char& c : text)
-  {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return text;
-}
+constexpr const char* polyData = "polydata";
+constexpr const char* grid = "unstructured_grid";
 
-/// A file's first lines, as far as they are text: version, title, encoding, dataset and the first section.
-/// Lower case.
-std::string startOf(const std::filesystem::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  std::string start(4096, '\0');
-  in.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(in.gcount()));
-  for (int line = 0; line < 2; ++line)
-  {
-    // A title may be anything.
-    const std::size_t end = start.find('\n');
-    start.erase(0, end == std::string::npos ? end : end + 1);
-  }
-  return lowered(start);
-}
-
-/// The sections of a file before its arrays, as far as VTK believes them.
+/// The sections of a file, as far as VTK believes them.
 ///
-/// Faults: VTK makes room for as many points as a file says, whatever its length; and of cells in the format
-/// before version 5, a list of "count, ids" each, it reads as many ids as a count says.
+/// Faults: VTK makes room for as many points, cells and values as a file says, whatever its length; of cells
+/// in the format before version 5, a list of "count, ids" each, it reads as many ids as a count says; and it
+/// takes as many types of cells as there are cells from wherever.
 class LegacySections
 {
 public:
   explicit LegacySections(const std::filesystem::path& file)
     : File(file)
-    , Stream(file, std::ios::binary)
-    , Bytes(static_cast<double>(std::filesystem::file_size(file)))
+    , Legacy(file)
   {
   }
 
   void check()
   {
-    std::string line;
-    std::getline(this->Stream, line);
-    const bool hasCounts = line.find("Version 5") == std::string::npos;
-    std::getline(this->Stream, line); // the title
-    std::getline(this->Stream, line);
-    this->IsText = lowered(line).starts_with("ascii");
-    while (std::getline(this->Stream, line))
+    std::string word;
+    double tuples = 0.0;
+    while (this->Legacy.tryWord(word))
     {
-      std::istringstream words(lowered(line));
-      std::string keyword;
-      words >> keyword;
-      if (keyword == "points")
+      if (word == "point_data" || word == "cell_data")
       {
-        this->passPoints(words);
+        tuples = this->Legacy.whole(0, "a number of values");
+        this->Legacy.beginValues();
       }
-      else if (keyword == "point_data" || keyword == "cell_data")
+      else if (word == "metadata")
       {
-        return;
+        this->Legacy.skipMetadata();
       }
-      else if (hasCounts &&
-        (keyword == "vertices" || keyword == "lines" || keyword == "polygons" ||
-          keyword == "triangle_strips"))
+      else if (!this->passSection(word) &&
+        !this->Legacy.passValues(word, tuples, [](const LegacyArray&) { return true; }))
       {
-        this->checkCells(words);
+        this->Legacy.fail(word, "a keyword as POINTS, POLYGONS, CELLS or POINT_DATA");
       }
+    }
+    if (this->Types != this->GridCells)
+    {
+      failToRead(this->File,
+        "it has types of " + formatNumber(this->Types) + " cells, but points of " +
+          formatNumber(this->GridCells));
     }
   }
 
 private:
-  /// A number of values that there are bytes for. @param least bytes of each
-  double readCount(std::istream& words, double least) const
+  /// Goes past points, cells or types of cells. @return whether keyword is one that these follow
+  bool passSection(const std::string& keyword)
   {
-    double count = -1.0;
-    words >> count;
-    if (!(count >= 0.0 && least * count <= this->Bytes))
+    static const std::set<std::string> ofPolyData{ "vertices", "lines", "polygons", "triangle_strips" };
+    const bool isGrid = this->Legacy.kind() == grid;
+    const bool areCells = isGrid ? keyword == "cells" : ofPolyData.count(keyword) > 0;
+    const bool areTypes = isGrid && keyword == "cell_types";
+    if (keyword != "points" && !areCells && !areTypes)
     {
-      failToRead(this->File, "it says that it has more points or cells than there are bytes for");
+      return false;
     }
-    return count;
+    if (!this->Passed.insert(keyword).second)
+    {
+      failToRead(this->File, "it has " + keyword + " twice; expected them once");
+    }
+    if (areCells)
+    {
+      this->passCells();
+    }
+    else if (areTypes)
+    {
+      this->passTypes();
+    }
+    else
+    {
+      const double count = this->Legacy.whole(0, "a number of points");
+      this->passNumbers(3.0 * count);
+    }
+    return true;
   }
 
-  void passPoints(std::istream& words)
+  /// Those whose type comes next.
+  void passNumbers(double count)
   {
-    const double count = this->readCount(words, 3.0);
-    std::string type;
-    words >> type;
-    if (this->IsText)
+    const std::string typeName = this->Legacy.word("a type");
+    const int type = LegacyFile::typeOf(typeName);
+    if (type == VTK_VOID || type == VTK_BIT)
     {
-      double number = 0.0;
-      for (double i = 0; i < 3.0 * count && this->Stream >> number; ++i)
+      this->Legacy.fail(typeName, "a type of numbers, as float,");
+    }
+    this->Legacy.beginValues();
+    this->Legacy.skip(count, type);
+  }
+
+  void passCells()
+  {
+    const double first = this->Legacy.whole(0, "a number of cells");
+    const double second = this->Legacy.whole(0, "a number of all cells' points");
+    this->Legacy.beginValues();
+    constexpr int versionOfOffsets = 5;
+    if (this->Legacy.majorVersion() < versionOfOffsets)
+    {
+      this->checkCounts(first, second);
+      this->GridCells = first;
+    }
+    else if (first > 0.0)
+    {
+      // Where each ends, after a 0.
+      for (const auto& [name, count] : { std::pair("offsets", first), std::pair("connectivity", second) })
       {
+        if (const std::string word = this->Legacy.word(name); word != name)
+        {
+          this->Legacy.fail(word, name);
+        }
+        this->passNumbers(count);
       }
-      return;
+      this->GridCells = first - 1.0;
     }
-    const bool isShort = type.ends_with("short");
-    const double size = type == "double" || type.ends_with("long") ? 8.0
-      : isShort                                                    ? 2.0
-      : type.ends_with("char")                                     ? 1.0
-                                                                   : 4.0;
-    this->Stream.seekg(static_cast<std::streamoff>(3.0 * count * size), std::ios::cur);
+    this->GridCells = this->Legacy.kind() == grid ? this->GridCells : 0.0;
   }
 
-  std::int64_t readInteger()
+  /// Before version 5: of each cell how many points it has, and these.
+  void checkCounts(double cells, double left)
   {
-    std::int64_t number = -1;
-    if (this->IsText)
-    {
-      this->Stream >> number;
-    }
-    else if (std::array<unsigned char, 4> bytes{};
-             this->Stream.read(reinterpret_cast<char*>(bytes.data()), 4))
-    {
-      number = static_cast<std::int32_t>(static_cast<std::uint32_t>(bytes[0]) << 24 |
-        static_cast<std::uint32_t>(bytes[1]) << 16 | static_cast<std::uint32_t>(bytes[2]) << 8 | bytes[3]);
-    }
-    return this->Stream ? number : -1;
-  }
-
-  void checkCells(std::istream& words)
-  {
-    const double cells = this->readCount(words, 1.0);
-    double left = this->readCount(words, 1.0);
     for (double cell = 0; cell < cells; ++cell)
     {
-      const std::int64_t points = this->readInteger();
-      left -= 1.0 + static_cast<double>(points);
-      if (points < 0 || left < 0.0)
+      const double points = this->Legacy.cellNumber();
+      left -= 1.0 + points;
+      if (points < 0.0 || left < 0.0)
       {
         failToRead(this->File, "its cells say that they have more points than they have");
       }
-      for (std::int64_t i = 0; i < points; ++i)
-      {
-        this->readInteger();
-      }
+      this->Legacy.skip(points, VTK_INT);
     }
     if (left > 0.0)
     {
@@ -164,44 +164,45 @@ private:
     }
   }
 
+  void passTypes()
+  {
+    this->Types = this->Legacy.whole(0, "a number of types of cells");
+    this->Legacy.beginValues();
+    for (double i = 0; i < this->Types; ++i)
+    {
+      const int type = static_cast<int>(this->Legacy.cellNumber());
+      const std::string problem =
+        type == VTK_POLYHEDRON ? "it has polyhedra; expected them in a .vtu file" : problemOfCellType(type);
+      if (!problem.empty())
+      {
+        failToRead(this->File, problem);
+      }
+    }
+  }
+
   const std::filesystem::path& File;
-  std::ifstream Stream;
-  double Bytes;
-  bool IsText = false;
+  LegacyFile Legacy;
+  std::set<std::string> Passed;
+  double GridCells = 0.0;
+  double Types = 0.0;
 };
 
-} // namespace
-
-bool isLegacyMesh(const std::filesystem::path& file)
+/// What VTK's reader makes of a file whose sections are sound.
+template <class Reader, class Data>
+vtkSmartPointer<Data> readBy(const std::filesystem::path& file, const Progress& progress)
 {
-  std::istringstream words(startOf(file));
-  std::string encoding;
-  std::string keyword;
-  std::string kind;
-  words >> encoding >> keyword >> kind;
-  return keyword == "dataset" && kind == "polydata";
-}
-
-vtkSmartPointer<vtkPolyData> readLegacyMesh(
-  const std::filesystem::path& file, std::vector<std::string>&, const Progress& progress)
-{
-  if (!isLegacyMesh(file))
-  {
-    failToRead(file, "it is not a legacy VTK file of a mesh; expected DATASET POLYDATA");
-  }
-  LegacySections(file).check();
-  vtkNew<vtkPolyDataReader> reader;
+  vtkNew<Reader> reader;
   reader->SetFileName(file.c_str());
   reader->ReadAllScalarsOn();
   reader->ReadAllVectorsOn();
   reader->ReadAllNormalsOn();
   const ReaderProgress reporting(reader, progress);
   const VtkMessages messages;
-  vtkNew<vtkPolyData> mesh;
+  auto data = vtkSmartPointer<Data>::New();
   bool whole = false;
   try
   {
-    whole = reader->ReadMeshSimple(file.string(), mesh) != 0;
+    whole = reader->ReadMeshSimple(file.string(), data) != 0;
   }
   catch (const std::bad_alloc&)
   {
@@ -215,7 +216,40 @@ vtkSmartPointer<vtkPolyData> readLegacyMesh(
   {
     failToRead(file, problem.empty() ? "it is damaged" : problem);
   }
-  return mesh;
+  return data;
+}
+
+} // namespace
+
+bool isLegacyMesh(const std::filesystem::path& file)
+{
+  try
+  {
+    const std::string kind = LegacyFile(file).kind();
+    return kind == polyData || kind == grid;
+  }
+  catch (const ReadError&)
+  {
+    return false;
+  }
+}
+
+vtkSmartPointer<vtkPolyData> readLegacyMesh(
+  const std::filesystem::path& file, std::vector<std::string>& notes, const Progress& progress)
+{
+  const std::string kind = LegacyFile(file).kind();
+  if (kind != polyData && kind != grid)
+  {
+    failToRead(file,
+      "it is a legacy VTK file of '" + shortened(kind) + "'; expected DATASET POLYDATA or UNSTRUCTURED_GRID");
+  }
+  LegacySections(file).check();
+  if (kind == grid)
+  {
+    const auto cells = readBy<vtkUnstructuredGridReader, vtkUnstructuredGrid>(file, halfOf(progress, 0.0));
+    return surfaceOf(cells, file, notes, progress);
+  }
+  return readBy<vtkPolyDataReader, vtkPolyData>(file, progress);
 }
 
 } // namespace ink::io

@@ -2,19 +2,17 @@
 #include "VolumeHeader.h"
 
 #include "Core/FormatNumber.h"
+#include "LegacyFile.h"
 #include "ReadError.h"
-#include "TextHeader.h"
 #include "Words.h"
 
-#include "vtkDataArray.h"
+#include "vtkType.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <limits>
+#include <ios>
 #include <map>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -23,67 +21,42 @@ namespace ink::io
 namespace
 {
 
-constexpr int bits = VTK_BIT;
-
-int legacyTypeOf(const std::string& name)
-{
-  // As VTK writes them on machines of 64 bits, but for ids, which have 32 in these files.
-  static const std::map<std::string, int> types{ { "bit", bits }, { "char", VTK_SIGNED_CHAR },
-    { "signed_char", VTK_SIGNED_CHAR }, { "unsigned_char", VTK_UNSIGNED_CHAR }, { "short", VTK_SHORT },
-    { "unsigned_short", VTK_UNSIGNED_SHORT }, { "int", VTK_INT }, { "unsigned_int", VTK_UNSIGNED_INT },
-    { "long", VTK_LONG_LONG }, { "unsigned_long", VTK_UNSIGNED_LONG_LONG }, { "vtkidtype", VTK_INT },
-    { "vtktypeint64", VTK_LONG_LONG }, { "vtktypeuint64", VTK_UNSIGNED_LONG_LONG }, { "float", VTK_FLOAT },
-    { "double", VTK_DOUBLE } };
-  const auto type = types.find(name);
-  return type == types.end() ? VTK_VOID : type->second;
-}
-
-/// Values in the file, one block.
-struct Block
-{
-  std::string name;
-  std::string typeName;
-  double components = 1;
-  double tuples = 0;
-};
-
 /// The values of points, or of cells, that are used.
 struct Chosen
 {
-  bool found = false;
-  bool scalars = false;
-  Block block;
-  int type = VTK_VOID;
-  std::streamoff begin = 0; ///< in the file
-  double tuples = 0;        ///< that the points, or the cells, should have
+  std::optional<LegacyArray> array;
+  double tuples = 0; ///< how many points, or cells, there are
+
+  bool areScalars() const { return this->array && this->array->areScalars; }
 };
 
 /// Reads structured points, or a rectilinear or structured grid, up to the values that are used: the first
 /// SCALARS of points, else the first others; where points have none, those of cells, as voxels in the cells'
 /// centers.
-class LegacyText
+class LegacyVolume
 {
 public:
-  explicit LegacyText(const fs::path& file)
+  explicit LegacyVolume(const fs::path& file)
     : File(file)
-    , Stream(file, std::ios::binary)
-    , Size(static_cast<double>(fs::file_size(file)))
+    , Legacy(file)
   {
   }
 
   VolumeHeader read()
   {
-    this->readStart();
+    this->useKind();
     std::string word;
-    while (!this->OfPoints.scalars && this->tryWord(word))
+    while (!this->OfPoints.areScalars() && this->Legacy.tryWord(word))
     {
-      if (!this->takeShape(word) && !this->takeCoordinates(word) && !this->takeValues(word))
+      if (!this->takeShape(word) && !this->takeCoordinates(word) &&
+        !this->Legacy.passValues(word, this->In ? this->In->tuples : 0.0,
+          [this](const LegacyArray& array) { return this->take(array); }))
       {
-        this->fail(word, "a keyword as DIMENSIONS, POINT_DATA or SCALARS");
+        this->Legacy.fail(word, "a keyword as DIMENSIONS, POINT_DATA or SCALARS");
       }
     }
-    const Chosen& chosen = this->OfPoints.found ? this->OfPoints : this->OfCells;
-    if (!chosen.found)
+    const Chosen& chosen = this->OfPoints.array ? this->OfPoints : this->OfCells;
+    if (!chosen.array)
     {
       failToRead(this->File, "it holds no values, neither at its points nor in its cells");
     }
@@ -94,79 +67,16 @@ public:
   }
 
 private:
-  [[noreturn]] void fail(const std::string& found, const std::string& expected) const
+  void useKind()
   {
-    failAtWord(this->File, found, expected);
-  }
-
-  /// In small letters, as the format does not tell them from large ones. @return false at the end
-  bool tryWord(std::string& word)
-  {
-    word.clear();
-    this->Stream >> word;
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    return !word.empty();
-  }
-  std::string word(const char* expected)
-  {
-    std::string word;
-    if (!this->tryWord(word))
-    {
-      this->fail("", expected);
-    }
-    return word;
-  }
-  double number(const char* expected)
-  {
-    const std::string word = this->word(expected);
-    const std::optional<double> number = numberIn(word);
-    if (!number || !std::isfinite(*number))
-    {
-      this->fail(word, expected);
-    }
-    return *number;
-  }
-  double whole(double least, const char* expected)
-  {
-    const double number = this->number(expected);
-    if (number < least || number > std::numeric_limits<int>::max() || number != std::floor(number))
-    {
-      this->fail(std::to_string(number), expected);
-    }
-    return number;
-  }
-  void endLine()
-  {
-    std::string rest;
-    std::getline(this->Stream, rest);
-  }
-
-  void readStart()
-  {
-    std::string line;
-    std::getline(this->Stream, line);
-    if (!line.starts_with("# vtk DataFile Version"))
-    {
-      failToRead(this->File, "it is not a legacy VTK file: it does not begin with '# vtk DataFile Version'");
-    }
-    this->endLine();
-    const std::string encoding = this->word("ASCII or BINARY");
-    if (encoding != "ascii" && encoding != "binary")
-    {
-      this->fail(encoding, "ASCII or BINARY");
-    }
-    this->IsText = encoding == "ascii";
     static const std::map<std::string, const char*> kinds{ { "structured_points", "structured points" },
       { "rectilinear_grid", "a rectilinear grid" }, { "structured_grid", "a structured grid" } };
-    const std::string keyword = this->word("DATASET");
-    this->Kind = keyword == "dataset" ? this->word("a kind of dataset") : keyword;
-    const auto kind = kinds.find(this->Kind);
+    const auto kind = kinds.find(this->Legacy.kind());
     if (kind == kinds.end())
     {
       failToRead(this->File,
-        "it is not a legacy VTK file of a volume: it says '" + shortened(this->Kind) +
-          "'; expected DATASET STRUCTURED_POINTS, RECTILINEAR_GRID or STRUCTURED_GRID, or STRUCTURED_POINTS, "
-          "which ParaView's filter Resample To Image makes of other grids");
+        "it is not a legacy VTK file of a volume: it says '" + shortened(this->Legacy.kind()) +
+          "'; expected DATASET STRUCTURED_POINTS, RECTILINEAR_GRID or STRUCTURED_GRID");
     }
     this->Header.format = std::string("legacy VTK file of ") + kind->second;
   }
@@ -178,7 +88,7 @@ private:
     {
       for (int& dimension : this->Header.voxels.dimensions)
       {
-        dimension = static_cast<int>(this->whole(1, "a number of voxels of 1 or more"));
+        dimension = static_cast<int>(this->Legacy.whole(1, "a number of voxels of 1 or more"));
       }
       this->Header.voxels.type = VTK_UNSIGNED_CHAR;
       this->Header.voxels.checkDimensions(this->File);
@@ -187,37 +97,32 @@ private:
     {
       for (double& spacing : this->Header.spacing)
       {
-        spacing = spacingOf(this->number("a distance between voxels"));
+        spacing = spacingOf(this->Legacy.number("a distance between voxels"));
       }
     }
     else if (keyword == "origin")
     {
       for (double& origin : this->Header.origin)
       {
-        origin = this->number("the position of the first voxel");
+        origin = this->Legacy.number("the position of the first voxel");
       }
     }
     else if (keyword == "cell_data" || keyword == "point_data")
     {
       this->In = keyword == "point_data" ? &this->OfPoints : &this->OfCells;
-      this->Tuples = this->whole(0, "a number of values");
+      this->In->tuples = this->Legacy.whole(0, "a number of values");
       const auto voxels =
         static_cast<double>(this->Header.voxels.sliceValues()) * this->Header.voxels.dimensions[2];
-      if (this->In == &this->OfPoints && this->Tuples != voxels)
+      if (this->In == &this->OfPoints && this->In->tuples != voxels)
       {
-        this->fail(std::to_string(static_cast<std::int64_t>(this->Tuples)),
+        this->Legacy.fail(std::to_string(static_cast<std::int64_t>(this->In->tuples)),
           "the number of all voxels, " + std::to_string(static_cast<std::int64_t>(voxels)) + ",");
       }
-      this->endLine();
+      this->Legacy.beginValues();
     }
     else if (keyword == "metadata")
     {
-      // Up to an empty line.
-      std::string line;
-      this->endLine();
-      while (std::getline(this->Stream, line) && line.find_first_not_of(" \t\r") != std::string::npos)
-      {
-      }
+      this->Legacy.skipMetadata();
     }
     else
     {
@@ -233,7 +138,7 @@ private:
       { "y_coordinates", "rectilinear_grid" }, { "z_coordinates", "rectilinear_grid" },
       { "points", "structured_grid" } };
     const auto kind = kinds.find(keyword);
-    if (kind == kinds.end() || kind->second != this->Kind)
+    if (kind == kinds.end() || kind->second != this->Legacy.kind())
     {
       return false;
     }
@@ -242,12 +147,12 @@ private:
     std::vector<RawVolume>& all = this->Header.coordinates;
     const double expected = arePoints ? static_cast<double>(this->Header.voxels.sliceValues()) * dimensions[2]
                                       : dimensions[keyword.front() - 'x'];
-    const double found = this->whole(0, "a number of coordinates");
-    const std::string typeName = this->word("a type");
-    this->endLine();
-    const int type = legacyTypeOf(typeName);
+    const double found = this->Legacy.whole(0, "a number of coordinates");
+    const std::string typeName = this->Legacy.word("a type");
+    this->Legacy.beginValues();
+    const int type = LegacyFile::typeOf(typeName);
     const std::size_t place = arePoints ? 0 : static_cast<std::size_t>(keyword.front() - 'x');
-    if (found != expected || place != all.size() || type == VTK_VOID || type == bits)
+    if (found != expected || place != all.size() || type == VTK_VOID || type == VTK_BIT)
     {
       failToRead(this->File,
         "it has " + formatNumber(found) + " " + keyword + " of type '" + shortened(typeName) +
@@ -259,16 +164,16 @@ private:
     coordinates.dimensions[0] = arePoints ? perPoint * dimensions[0] : dimensions[place];
     coordinates.dimensions[1] = arePoints ? dimensions[1] : 1;
     coordinates.dimensions[2] = arePoints ? dimensions[2] : 1;
-    this->place(coordinates, type, this->Stream.tellg());
+    this->place(coordinates, type, this->Legacy.position());
     all.push_back(coordinates);
-    this->skip(found * (arePoints ? perPoint : 1), type);
+    this->Legacy.skip(found * (arePoints ? perPoint : 1), type);
     return true;
   }
 
   void checkCoordinates() const
   {
     const std::size_t expected =
-      this->Kind == "structured_points" ? 0 : (this->Kind == "rectilinear_grid" ? 3 : 1);
+      this->Legacy.kind() == "structured_points" ? 0 : (this->Legacy.kind() == "rectilinear_grid" ? 3 : 1);
     if (this->Header.coordinates.size() != expected)
     {
       failToRead(this->File,
@@ -286,128 +191,27 @@ private:
     values.type = type;
     values.files = { this->File };
     values.offset = static_cast<std::uint64_t>(std::max<std::streamoff>(begin, 0));
-    values.encoding = this->IsText ? VoxelEncoding::Text : VoxelEncoding::Plain;
-    if (!this->IsText)
+    values.encoding = this->Legacy.isText() ? VoxelEncoding::Text : VoxelEncoding::Plain;
+    if (!this->Legacy.isText())
     {
       values.setBigEndian(true);
     }
   }
 
-  /// @return whether keyword is one that values follow
-  bool takeValues(const std::string& keyword)
+  /// @return false where no more is looked for
+  bool take(const LegacyArray& array)
   {
-    static const std::map<std::string, double> others{ { "vectors", 3 }, { "normals", 3 }, { "tensors", 9 },
-      { "tensors6", 6 }, { "global_ids", 1 }, { "pedigree_ids", 1 }, { "edge_flags", 1 } };
-    if (keyword == "field")
+    const bool suits = this->In && array.tuples == this->In->tuples && array.components > 0;
+    if (suits && (!this->In->array || (array.areScalars && !this->In->areScalars())))
     {
-      this->takeField();
-      return true;
+      this->In->array = array;
     }
-    Block block;
-    block.tuples = this->Tuples;
-    block.name = this->word("a name");
-    if (keyword == "scalars")
-    {
-      block.typeName = this->word("a type");
-      std::string line;
-      std::getline(this->Stream, line);
-      std::string_view words = line;
-      const std::string_view count = nextWord(words);
-      block.components = count.empty() ? 1.0 : numberIn(count).value_or(0.0);
-      const std::streampos before = this->Stream.tellg();
-      if (this->word("LOOKUP_TABLE") == "lookup_table")
-      {
-        this->endLine();
-      }
-      else
-      {
-        this->Stream.seekg(before);
-      }
-    }
-    else if (keyword == "color_scalars" || keyword == "texture_coordinates")
-    {
-      block.components = this->whole(1, "a number of components");
-      block.typeName =
-        keyword == "color_scalars" ? (this->IsText ? "float" : "unsigned_char") : this->word("a type");
-      this->endLine();
-    }
-    else if (keyword == "lookup_table")
-    {
-      block.tuples = this->whole(0, "a number of colors");
-      block.components = 4;
-      block.typeName = this->IsText ? "float" : "unsigned_char";
-      this->endLine();
-    }
-    else if (const auto other = others.find(keyword); other != others.end())
-    {
-      block.components = other->second;
-      block.typeName = this->word("a type");
-      this->endLine();
-    }
-    else
-    {
-      return false;
-    }
-    this->take(block, keyword != "lookup_table", keyword == "scalars");
-    return true;
-  }
-
-  void takeField()
-  {
-    this->word("a name");
-    const double count = this->whole(0, "a number of arrays");
-    for (double i = 0; i < count; ++i)
-    {
-      Block block;
-      block.name = this->word("a name");
-      if (block.name == "metadata")
-      {
-        this->takeShape(block.name);
-        block.name = this->word("a name");
-      }
-      block.components = this->whole(0, "a number of components");
-      block.tuples = this->whole(0, "a number of values");
-      block.typeName = this->word("a type");
-      this->endLine();
-      this->take(block, true, false);
-    }
-  }
-
-  /// Uses the values that begin here, or goes past them.
-  void take(const Block& block, bool areValues, bool areScalars)
-  {
-    const int type = legacyTypeOf(block.typeName);
-    constexpr double mostComponents = 1 << 20;
-    if (type == VTK_VOID || !(block.components >= 0 && block.components <= mostComponents) ||
-      block.components != std::floor(block.components))
-    {
-      failToRead(this->File,
-        "its array '" + shortened(block.name) + "' has type '" + shortened(block.typeName) + "' and " +
-          std::to_string(block.components) +
-          " components; expected numbers as float, and 1 component or more");
-    }
-    const bool isUsed = areValues && this->In && block.tuples == this->Tuples && block.components > 0 &&
-      (!this->In->found || (areScalars && !this->In->scalars));
-    const std::streamoff begin = this->Stream.tellg();
-    if (isUsed && begin < 0)
-    {
-      failToRead(
-        this->File, "the file ends where the values of '" + shortened(block.name) + "' were expected");
-    }
-    if (isUsed)
-    {
-      *this->In = { true, areScalars, block, type, begin, this->Tuples };
-      if (this->OfPoints.scalars)
-      {
-        return;
-      }
-    }
-    this->skip(block.tuples * block.components, type);
+    return !this->OfPoints.areScalars();
   }
 
   void use(const Chosen& chosen)
   {
-    if (chosen.type == bits)
+    if (chosen.array->type == VTK_BIT)
     {
       failToRead(
         this->File, "its voxels are single bits; expected integers of 8 to 64 bits, float or double");
@@ -417,12 +221,12 @@ private:
     {
       this->moveToCells();
     }
-    this->place(voxels, chosen.type, chosen.begin);
-    voxels.components = static_cast<int>(chosen.block.components);
+    this->place(voxels, chosen.array->type, chosen.array->begin);
+    voxels.components = static_cast<int>(chosen.array->components);
     this->Header.components = voxels.components;
-    if (!chosen.scalars)
+    if (!chosen.areScalars())
     {
-      this->Header.notes.push_back("array '" + chosen.block.name + "' is used");
+      this->Header.notes.push_back("array '" + chosen.array->name + "' is used");
     }
   }
 
@@ -442,45 +246,17 @@ private:
     }
     if (this->OfCells.tuples != cells)
     {
-      this->fail(std::to_string(static_cast<std::int64_t>(this->OfCells.tuples)),
+      this->Legacy.fail(std::to_string(static_cast<std::int64_t>(this->OfCells.tuples)),
         "the number of all cells, " + std::to_string(static_cast<std::int64_t>(cells)) + ",");
     }
     this->Header.notes.emplace_back(noteOfCells);
   }
 
-  void skip(double values, int type)
-  {
-    if (values > this->Size * 8)
-    {
-      failToRead(this->File, "the file ends within an array that it promises");
-    }
-    if (!this->IsText)
-    {
-      constexpr double bitsOfAByte = 8;
-      const double bytes = type == bits ? std::ceil(values / bitsOfAByte)
-                                        : values * static_cast<double>(vtkDataArray::GetDataTypeSize(type));
-      this->Stream.seekg(static_cast<std::streamoff>(bytes), std::ios::cur);
-      if (!this->Stream || static_cast<double>(this->Stream.tellg()) > this->Size)
-      {
-        failToRead(this->File, "the file ends within an array that it promises");
-      }
-      return;
-    }
-    for (double i = 0; i < values; ++i)
-    {
-      this->number("a value");
-    }
-  }
-
   const fs::path& File;
-  std::ifstream Stream;
-  double Size;
-  bool IsText = false;
-  std::string Kind; ///< of dataset
+  LegacyFile Legacy;
   Chosen OfPoints;
   Chosen OfCells;
   Chosen* In = nullptr; ///< whose values come next; null: nobody's
-  double Tuples = 0;
   VolumeHeader Header;
 };
 
@@ -488,7 +264,7 @@ private:
 
 VolumeHeader readLegacyHeader(const fs::path& file)
 {
-  return LegacyText(file).read();
+  return LegacyVolume(file).read();
 }
 
 } // namespace ink::io

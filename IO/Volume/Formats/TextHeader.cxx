@@ -159,13 +159,6 @@ std::vector<fs::path> detachedFiles(const fs::path& header, const std::string& d
   return files;
 }
 
-void failAtWord(const fs::path& file, std::string_view found, const std::string& expected)
-{
-  failToRead(file,
-    (found.empty() ? "the file ends" : "it says '" + shortened(found) + "'") + " where " + expected +
-      " was expected");
-}
-
 double takeNumber(std::string_view& text, const fs::path& file, const char* expected)
 {
   const std::string_view word = nextWord(text);

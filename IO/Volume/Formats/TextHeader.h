@@ -30,10 +30,6 @@ std::string fieldOf(const TextFields& fields, const char* name, const char* othe
 std::vector<std::filesystem::path> detachedFiles(
   const std::filesystem::path& header, const std::string& description, int slices);
 
-/// Says what was found, a word or, if it is empty, the file's end. @throws ReadError always
-[[noreturn]] void failAtWord(
-  const std::filesystem::path& file, std::string_view found, const std::string& expected);
-
 /// Takes a finite number, or a whole one of at least `least`, from the front of text. @param expected what it
 /// is, for the message. @throws ReadError if the next word is none
 double takeNumber(std::string_view& text, const std::filesystem::path& file, const char* expected);

@@ -214,8 +214,10 @@ TEST(MeshReader, LegacyFilesOfImagesAndOfTooManyPointsAreRefused)
   vtkNew<vtkInkMeshReader> reader;
   EXPECT_EQ(reader->CanReadFile(image.c_str()), 0);
   const std::string start = "# vtk DataFile Version 3.0\ntitle\nASCII\nDATASET POLYDATA\n";
-  ExpectError({ "more points or cells than there are bytes for" },
+  ExpectError({ "it says '1e+11' where a number of points was expected" },
     Put("MeshReaderMany.vtk", start + "POINTS 100000000000 float\n1 2 3\n"));
+  ExpectError({ "the file ends within an array" },
+    Put("MeshReaderMany.vtk", start + "POINTS 1000000000 float\n1 2 3\n"));
   ExpectError({ "cannot read" },
     Put("MeshReaderPolygons.vtk",
       start + "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1000000000000000 4000000000000000\n3 0 1 2\n"));
