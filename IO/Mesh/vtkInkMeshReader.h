@@ -3,14 +3,14 @@
  * @class   vtkInkMeshReader
  * @brief   a mesh or points of any format as poly data, checked
  *
- * Reads PLY, OBJ, OFF, STL, VTK XML meshes (.vtp) and unstructured grids (.vtu), legacy VTK ones of both (.vtk)
- * and points as lines of numbers (.xyz: x, y and z, and perhaps a normal). Which format it is the file's name
- * tells.
+ * Reads PLY, OBJ, OFF, STL, VTK XML meshes (.vtp) and unstructured grids (.vtu), legacy VTK ones of both
+ * (.vtk) and points as lines of numbers (.xyz: x, y and z, and perhaps a normal). Which format it is the
+ * file's name tells.
  *
  * Of an unstructured grid it is the outer surface, as of vtkGeometryFilter, with point and cell arrays: of
  * solid cells, of which curved (quadratic) faces are subdivided once; cells that are faces, lines or vertices
- * are taken as they are, and so are the points of a grid without cells. Cells of a higher order are refused, and so
- * are polyhedra in legacy files.
+ * are taken as they are, and so are the points of a grid without cells. Cells of a higher order are refused,
+ * and so are polyhedra in legacy files.
  *
  * Coordinates are double where the file's are written as text or in double, so that those far from the origin
  * keep their digits; of STL, which has float, equal corners become one point. Normals become the array
