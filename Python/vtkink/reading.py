@@ -2,7 +2,6 @@
 """Data objects from what people have: files, arrays, algorithms."""
 
 import os
-import re
 
 from . import _vtk_module
 from .vtkInkIOMesh import vtkInkMeshReader
@@ -17,25 +16,17 @@ def _vdb_reader(path):
     return vtkInkVDBReader()
 
 
-def _is_other_legacy_file(path):
-    """Whether a legacy VTK file says that it holds something else than the structured points of vtkInkVolumeReader."""
-    with open(path, "rb") as file:
-        # After the version, a title, and ASCII or BINARY.
-        lines = file.read(4096).split(b"\n", 3)
-    found = re.match(rb"\s*DATASET\s+(\w+)", lines[-1], re.IGNORECASE)
-    return found is not None and found[1].lower() != b"structured_points"
-
-
 def _reader(path):
-    """The one that ``ink`` takes, too, but for legacy VTK files of meshes and grids."""
+    """The one that ``ink`` takes, too."""
     name = path.lower()
     volumes, meshes = (kind.GetFileExtensions().split() for kind in (vtkInkVolumeReader, vtkInkMeshReader))
     if os.path.isdir(path):
         return vtkInkVolumeReader()
     if name.endswith(".vdb"):
         return _vdb_reader(path)
-    if name.endswith(".vtk") and _is_other_legacy_file(path):
-        return _vtk_module("vtkIOLegacy").vtkGenericDataObjectReader()
+    # Legacy VTK files of both have one suffix.
+    if name.endswith(".vtk") and vtkInkMeshReader().CanReadFile(path):
+        return vtkInkMeshReader()
     if name.endswith(tuple(volumes)):
         return vtkInkVolumeReader()
     if name.endswith(tuple(meshes)):

@@ -214,6 +214,14 @@ def test_legacy_files_of_other_data(tmp_path):
     content = (tmp_path / "v.vtk").read_bytes().replace(b"\ntest\n", b"\nDATASET POLYDATA\n")
     (tmp_path / "v.vtk").write_bytes(content)
     assert vtkink.read(tmp_path / "v.vtk").GetDimensions() == BLOB.shape[::-1]
+    (tmp_path / "grid.vtk").write_text("# vtk DataFile Version 3.0\nt\nASCII\nDATASET RECTILINEAR_GRID\nDIMENSIONS 3 2 2\n"
+                                       "X_COORDINATES 3 float\n0 2 4\nY_COORDINATES 2 float\n0 1\nZ_COORDINATES 2 float\n0 1\n"
+                                       "POINT_DATA 12\nSCALARS a short\nLOOKUP_TABLE default\n" + "1 2 3 " * 4)  # fmt: skip
+    grid = vtkink.read(tmp_path / "grid.vtk")
+    assert grid.IsA("vtkImageData") and grid.GetSpacing() == (2.0, 1.0, 1.0)
+    (tmp_path / "cells.vtk").write_text("# vtk DataFile Version 3.0\nt\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+                                        "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n")  # fmt: skip
+    assert vtkink.read(tmp_path / "cells.vtk").GetNumberOfPolys() == 4
 
 
 @pytest.mark.parametrize("name", ["v.nii", "v.nrrd", "v.vti", "v.vtk", "m.ply", "m.xyz"])
