@@ -273,8 +273,9 @@ Axes AxesOf(vtkStructuredGrid* grid)
         ink::formatNumber(axes[axis].Last) + " along " + "xyz"[axis] + "; expected a volume");
     }
   }
-  // Its border is made of voxels.
-  constexpr double perStep = 2.0;
+  // Its border is made of voxels, which leave gaps where surfaces go along it; small ones leave gaps in lines
+  // along slanted borders.
+  constexpr double perStep = 3.0;
   const double step = FineStep(steps) / perStep;
   for (Axis& axis : axes)
   {
@@ -286,7 +287,7 @@ Axes AxesOf(vtkStructuredGrid* grid)
 /// Takes fewer voxels where they are far more than points.
 void Limit(Axes& axes, double points)
 {
-  constexpr double few = 1 << 18;
+  constexpr double few = 1 << 21;
   constexpr double many = 1 << 27;
   constexpr double times = 8.0;
   const double most = std::max(few, std::min(times * points, std::max(points, many)));

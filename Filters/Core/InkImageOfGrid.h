@@ -14,9 +14,10 @@ class vtkImageData;
 /// An image of a grid's values, which are its active scalars. A grid of evenly spaced points along x, y and z
 /// is one as it is, with the values themselves; others are resampled (vtkResampleToImage), to float, or
 /// double where 4 bytes do not hold the type: an axis of evenly spaced coordinates keeps them, another one
-/// has voxels as large as the finer quarter of its steps, a curvilinear grid voxels half as large as the
-/// finer quarter of its, unless these were more than 8 times as many as the grid's points. Further outside of
-/// the grid than the next voxel, and where its points or cells are hidden, values are NaN.
+/// has voxels as large as the finer quarter of its steps, a curvilinear grid voxels a third as large as the
+/// finer quarter of its, unless these were more than 8 times as many as the grid's points, and more than 2
+/// million. Further outside of the grid than the next voxel, and where its points or cells are hidden, values
+/// are NaN.
 /// @param grid a vtkRectilinearGrid or vtkStructuredGrid of two points or more along each axis
 /// @param values one for each point, or for each cell, of which each is then that of a point in the cell's
 /// center; of several components the first one

@@ -340,7 +340,7 @@ TEST(ImageOfGrid, TakesNoMoreVoxelsThanHelp)
     fine.push_back(fine.back() + (i % 2 == 0 ? 1e-4 : 1.0));
   }
   const auto grid = Rectilinear(fine, fine, fine);
-  EXPECT_LE(InkImageOfGrid(grid, ValuesOf(grid))->GetNumberOfPoints(), 8 * grid->GetNumberOfPoints());
+  EXPECT_LE(InkImageOfGrid(grid, ValuesOf(grid))->GetNumberOfPoints(), 1 << 21);
 }
 
 TEST(ImageOfGrid, RefusesWhatIsNoVolume)
