@@ -325,9 +325,12 @@ TEST(ImageOfGrid, HiddenPointsAndCellsHaveNoValue)
     double left;
     ErrorOf(InkImageOfGrid(structured(), ValuesOf(grid)), all);
     ErrorOf(image, left);
-    const double hidden = (all - left) * static_cast<double>(image->GetNumberOfPoints());
-    EXPECT_GT(hidden, 0.5) << (grid == point ? "point" : "cell");
-    EXPECT_LT(hidden, 100.0) << (grid == point ? "point" : "cell");
+    const double* spacing = image->GetSpacing();
+    const double hidden =
+      (all - left) * static_cast<double>(image->GetNumberOfPoints()) * spacing[0] * spacing[1] * spacing[2];
+    // The steps' determinant; a point is a corner of eight cells.
+    const double expected = 1.125 * (grid == point ? 8.0 : 1.0);
+    EXPECT_NEAR(hidden, expected, 0.2 * expected) << (grid == point ? "point" : "cell");
   }
 }
 
