@@ -155,9 +155,9 @@ std::vector<IsoSuggestion> suggestBoundaries(
   const std::vector<double> kept = keptShares(statistics.voxels);
   std::vector<IsoBoundary> boundaries = findBoundaries(statistics, kept);
   // However steep it is there, no material begins where an orbital changes its sign.
+  const double faint = faintBelow(statistics, kept);
   std::erase_if(boundaries,
-    [&, faint = faintBelow(statistics, kept)](const IsoBoundary& one)
-    { return std::abs(valueAt(statistics.bins, one.threshold)) < faint; });
+    [&](const IsoBoundary& one) { return std::abs(valueAt(statistics.bins, one.threshold)) < faint; });
   if (noisy)
   {
     std::erase_if(
@@ -190,7 +190,8 @@ std::vector<IsoSuggestion> suggestBoundaries(
     const IsoSuggestion::Boundary kind = suggestions.empty() ? IsoSuggestion::Boundary::Outermost
       : one.threshold == densest                             ? IsoSuggestion::Boundary::Densest
                                                              : IsoSuggestion::Boundary::Inner;
-    suggestions.push_back({ valueAt(statistics.bins, one.threshold), kind, kept[one.index] });
+    const double value = valueAt(statistics.bins, one.threshold);
+    suggestions.push_back({ value, kind, kept[one.index], 0, faint > 0.0 && value > 0.0 });
   }
   return suggestions;
 }
@@ -373,8 +374,8 @@ std::vector<IsoSuggestion> suggestThresholds(const IsoStatistics& statistics, bo
     }
   }
   const IsoBoundary split = splitHistogram(statistics, kept, first);
-  suggestions.push_back({ valueAt(statistics.bins, split.threshold),
-    first > 0 ? IsoSuggestion::Boundary::Lobe : IsoSuggestion::Boundary::None, kept[split.index] });
+  suggestions.push_back({ valueAt(statistics.bins, split.threshold), IsoSuggestion::Boundary::None,
+    kept[split.index], 0, first > 0 });
   return suggestions;
 }
 

@@ -22,13 +22,14 @@ struct IsoSuggestion
     Bone,      ///< that of bone in CT, by its Hounsfield units
     Labels,    ///< the edge of all labels of a segmentation
     Sign, ///< no boundary is clear: 0, where an implicit function, such as a signed distance, has its surface
-    Lobe, ///< no boundary is clear: Otsu's threshold of the positive half of an orbital or differences
     None  ///< no boundary is clear: Otsu's threshold, which best splits the histogram in two, or one below
   };
   double value;
   Boundary boundary;
   double keptShare;        ///< the share of the finite voxels that lie above the value, 0 to 1
   std::int64_t labels = 0; ///< how many different ones lie above the value, of Labels; else 0
+  /// It is of the positive values of a field of both signs that fades to 0, as an orbital, or of differences.
+  bool isLobe = false;
 };
 
 /// Suggests up to three iso-values for a scan or a simulation, the best first.

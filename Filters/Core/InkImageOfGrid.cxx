@@ -187,6 +187,13 @@ double FineStep(std::vector<double>& steps)
   return *fine;
 }
 
+/// How many voxels of a size an axis has, with a limit far above what is taken.
+double countOf(const Axis& axis, double size)
+{
+  constexpr double most = 1e6;
+  return std::min(std::ceil((axis.Last - axis.First) / size) + 1.0, most);
+}
+
 Axis AxisOf(vtkDataArray* coordinates, char name)
 {
   const auto at = [coordinates](vtkIdType i) { return coordinates->GetComponent(i, 0); };
@@ -210,7 +217,7 @@ Axis AxisOf(vtkDataArray* coordinates, char name)
   axis.IsEven = furthest <= notSeen * std::abs(mean);
   if (!axis.IsEven)
   {
-    axis.Count = std::ceil((axis.Last - axis.First) / FineStep(steps)) + 1.0;
+    axis.Count = countOf(axis, FineStep(steps));
   }
   return axis;
 }
@@ -279,7 +286,7 @@ Axes AxesOf(vtkStructuredGrid* grid)
   const double step = FineStep(steps) / perStep;
   for (Axis& axis : axes)
   {
-    axis.Count = std::ceil((axis.Last - axis.First) / step) + 1.0;
+    axis.Count = countOf(axis, step);
   }
   return axes;
 }
@@ -309,6 +316,46 @@ void Limit(Axes& axes, double points)
     for (Axis& axis : axes)
     {
       axis.Count = axis.IsEven ? axis.Count : std::max(std::floor(axis.Count * share), 2.0);
+    }
+  }
+}
+
+/// In how many cells' bounding boxes voxels lie, all together: vtkResampleToImage looks at each cell for
+/// each.
+double CountLooks(vtkStructuredGrid* grid, const Axes& axes)
+{
+  double looks = 0.0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    double bounds[6];
+    grid->GetCellBounds(cell, bounds);
+    double voxels = 1.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      voxels *= (bounds[2 * axis + 1] - bounds[2 * axis]) / axes[axis].Step() + 1.0;
+    }
+    looks += voxels;
+  }
+  return looks;
+}
+
+/// Takes fewer voxels where cells overlap, or are so long and thin, that it would take minutes.
+void LimitLooks(vtkStructuredGrid* grid, Axes& axes)
+{
+  constexpr double few = 1 << 24;
+  constexpr double perPoint = 256.0;
+  const double most = std::max(few, perPoint * static_cast<double>(grid->GetNumberOfPoints()));
+  constexpr int turns = 8;
+  for (int turn = 0; turn < turns; ++turn)
+  {
+    const double looks = CountLooks(grid, axes);
+    if (looks <= most)
+    {
+      return;
+    }
+    for (Axis& axis : axes)
+    {
+      axis.Count = std::max(std::floor(axis.Count * std::cbrt(most / looks)), 2.0);
     }
   }
 }
@@ -450,9 +497,40 @@ vtkSmartPointer<vtkImageData> Resampled(vtkDataSet* grid, vtkDataArray* values, 
     : VisibleValues<Array>(values, marksOf(grid->GetPointData()), Marks::HIDDENPOINT);
   points->GetPointData()->SetScalars(visible);
   auto* rectilinear = vtkRectilinearGrid::SafeDownCast(points);
-  Axes axes = rectilinear ? AxesOf(rectilinear) : AxesOf(vtkStructuredGrid::SafeDownCast(points));
+  auto* structured = vtkStructuredGrid::SafeDownCast(points);
+  Axes axes = rectilinear ? AxesOf(rectilinear) : AxesOf(structured);
   Limit(axes, static_cast<double>(points->GetNumberOfPoints()));
-  return Resampled<Array>(points, axes);
+  if (structured)
+  {
+    LimitLooks(structured, axes);
+  }
+  const vtkSmartPointer<vtkImageData> image = Resampled<Array>(points, axes);
+  image->GetPointData()->GetScalars()->SetName(values->GetName());
+  return image;
+}
+
+/// Values of points, along some axes the last one first.
+vtkSmartPointer<vtkDataArray> Turned(vtkDataArray* values, const int d[3], const std::array<bool, 3>& turns)
+{
+  auto turned = vtk::TakeSmartPointer(values->NewInstance());
+  turned->SetName(values->GetName());
+  turned->SetNumberOfComponents(values->GetNumberOfComponents());
+  turned->SetNumberOfTuples(values->GetNumberOfTuples());
+  vtkIdType to = 0;
+  const auto place = [&](int axis, int i)
+  { return turns[static_cast<std::size_t>(axis)] ? d[axis] - 1 - i : i; };
+  for (int z = 0; z < d[2]; ++z)
+  {
+    for (int y = 0; y < d[1]; ++y)
+    {
+      for (int x = 0; x < d[0]; ++x)
+      {
+        turned->SetTuple(
+          to++, place(0, x) + d[0] * (place(1, y) + static_cast<vtkIdType>(d[1]) * place(2, z)), values);
+      }
+    }
+  }
+  return turned;
 }
 
 /// A rectilinear grid that is an image as it is; null if it is none.
@@ -469,26 +547,30 @@ vtkSmartPointer<vtkImageData> Same(vtkRectilinearGrid* grid, vtkDataArray* value
   image->SetDimensions(d[0] - less, d[1] - less, d[2] - less);
   std::array<double, 3> origin;
   std::array<double, 3> spacing;
+  std::array<bool, 3> falls;
   const auto coordinates = CoordinatesOf(grid);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    if (!axes[axis].IsEven || coordinates[axis]->GetComponent(0, 0) != axes[axis].First)
+    if (!axes[axis].IsEven)
     {
       return nullptr;
     }
+    falls[axis] = coordinates[axis]->GetComponent(0, 0) != axes[axis].First;
     constexpr double half = 0.5;
     spacing[axis] = axes[axis].Step();
     origin[axis] = axes[axis].First + half * less * spacing[axis];
   }
   image->SetOrigin(origin.data());
   image->SetSpacing(spacing.data());
-  image->GetPointData()->SetScalars(values);
+  const bool anyFalls = std::any_of(falls.begin(), falls.end(), [](bool one) { return one; });
+  image->GetPointData()->SetScalars(
+    anyFalls ? Turned(values, image->GetDimensions(), falls) : vtkSmartPointer<vtkDataArray>(values));
   return InkWithFirstComponent(image);
 }
 
 } // namespace
 
-vtkSmartPointer<vtkImageData> InkImageOfGrid(vtkDataSet* grid, vtkDataArray* values)
+InkGridImage InkImageOfGrid(vtkDataSet* grid, vtkDataArray* values)
 {
   const Dimensions d = DimensionsOf(grid);
   const bool areOfCells = values->GetNumberOfTuples() == grid->GetNumberOfCells();
@@ -508,14 +590,14 @@ vtkSmartPointer<vtkImageData> InkImageOfGrid(vtkDataSet* grid, vtkDataArray* val
   const auto regular = structured ? AsRectilinear(structured) : nullptr;
   grid = regular ? regular.Get() : grid;
   auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid);
-  vtkSmartPointer<vtkImageData> image = rectilinear ? Same(rectilinear, values, areOfCells) : nullptr;
-  if (image)
+  if (const auto same = rectilinear ? Same(rectilinear, values, areOfCells) : nullptr)
   {
-    return image;
+    return { same, false };
   }
   // Integers of up to 16 bits are numbers of float.
   const int type = values->GetDataType();
   const bool fits = type == VTK_FLOAT || values->GetDataTypeSize() < static_cast<int>(sizeof(float));
-  return fits ? Resampled<vtkFloatArray>(grid, values, areOfCells)
-              : Resampled<vtkDoubleArray>(grid, values, areOfCells);
+  return { fits ? Resampled<vtkFloatArray>(grid, values, areOfCells)
+                : Resampled<vtkDoubleArray>(grid, values, areOfCells),
+    true };
 }

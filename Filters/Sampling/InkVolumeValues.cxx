@@ -246,7 +246,8 @@ std::string InkDescribe(const ink::IsoSuggestion& suggestion)
     : suggestion.boundary == Boundary::Densest                            ? "the boundary of the densest part"
     : suggestion.boundary == Boundary::Bone                               ? "bone, by its Hounsfield units"
     : suggestion.boundary == Boundary::Labels                             ? labels
-    : suggestion.boundary == Boundary::Lobe ? "around the positive values, as those of both signs fade to 0"
+    : suggestion.boundary == Boundary::None && suggestion.isLobe
+    ? "around the positive values, as those of both signs fade to 0"
     : suggestion.boundary == Boundary::Sign ? "where the sign changes, as no boundary is clear"
                                             : "by Otsu's threshold, as no boundary is clear";
   return boundary + (", keeps " + PercentOf(suggestion)) + " % of the volume";
@@ -263,7 +264,7 @@ std::vector<std::string> InkDescribeChoice(const std::vector<ink::IsoSuggestion>
       ink::formatNumber(suggestions[i].value) + ": " + InkDescribe(suggestions[i]);
   }
   std::vector<std::string> notes{ text };
-  if (suggestions.front().boundary == ink::IsoSuggestion::Boundary::None)
+  if (suggestions.front().boundary == ink::IsoSuggestion::Boundary::None && !suggestions.front().isLobe)
   {
     notes.push_back(
       "no boundary between materials is clear, so what is drawn is the surface around the upper " +
@@ -271,7 +272,7 @@ std::vector<std::string> InkDescribeChoice(const std::vector<ink::IsoSuggestion>
       " % of the voxels, and may be that of no thing; other values can be given (IsoValues, --iso), or "
       "voxels stippled without a surface (StippleSource, --stipple-source, in the style stipple)");
   }
-  if (suggestions.front().boundary == ink::IsoSuggestion::Boundary::Lobe)
+  if (suggestions.front().isLobe)
   {
     const std::string value = ink::formatNumber(suggestions.front().value);
     notes.push_back("nothing is drawn of the negative values; IsoValues -" + value + " and " + value +

@@ -74,6 +74,16 @@ std::string LegacyFile::word(const char* expected)
   return word;
 }
 
+std::string LegacyFile::name()
+{
+  std::string name;
+  if (!(this->Stream >> name))
+  {
+    this->fail("", "a name");
+  }
+  return name;
+}
+
 double LegacyFile::number(const char* expected)
 {
   const std::string word = this->word(expected);
@@ -173,18 +183,58 @@ void LegacyFile::skipMetadata()
 {
   std::string line;
   this->endLine();
+  // Up to an empty line, which a component without a name has as well.
   while (std::getline(this->Stream, line) && line.find_first_not_of(" \t\r") != std::string::npos)
   {
+    for (double i = 0; line.starts_with("COMPONENT_NAMES") && i < this->Components; ++i)
+    {
+      this->endLine();
+    }
   }
 }
 
-void LegacyFile::skipStrings(double strings)
+void LegacyFile::skipString()
 {
-  this->endLine();
+  // The first two bits say how many bytes say its length.
+  constexpr std::array<int, 4> sizes{ 8, 4, 2, 1 };
+  constexpr unsigned lengthOfFirst = 0x3f;
+  const int first = this->Stream.get();
+  std::uint64_t length = static_cast<unsigned>(first) & lengthOfFirst;
+  for (int i = 1; first >= 0 && i < sizes[static_cast<std::size_t>(first >> 6)]; ++i)
+  {
+    length = length << 8 | static_cast<std::uint64_t>(this->Stream.get() & 0xff);
+  }
+  const std::streamoff begin = this->position();
+  if (begin < 0 || static_cast<double>(begin) + static_cast<double>(length) > this->Size)
+  {
+    this->fail("", "a text");
+  }
+  this->Stream.seekg(static_cast<std::streamoff>(length), std::ios::cur);
+}
+
+void LegacyFile::skipStrings(double strings, bool areVariants)
+{
+  // VTK takes this memory for each, however short it is.
+  constexpr double bytesOfAString = 32;
+  constexpr double few = 1 << 18;
+  constexpr double times = 10;
+  if (strings > few && bytesOfAString * strings > times * this->Size)
+  {
+    failToRead(this->File, "the file ends within an array that it promises");
+  }
+  const bool areLines = this->IsText || areVariants;
+  if (this->IsText)
+  {
+    this->endLine();
+  }
   for (double i = 0; i < strings; ++i)
   {
     std::string line;
-    if (!std::getline(this->Stream, line))
+    if (!areLines)
+    {
+      this->skipString();
+    }
+    else if (!std::getline(this->Stream, line))
     {
       this->fail("", "a text");
     }
@@ -203,16 +253,16 @@ bool LegacyFile::passValues(
   };
   if (keyword == "field")
   {
-    this->word("a name");
+    this->name();
     const double count = this->whole(0, "a number of arrays");
     bool goesOn = true;
     for (double i = 0; i < count && goesOn; ++i)
     {
-      std::string name = this->word("a name");
-      if (name == "metadata")
+      std::string name = this->name();
+      if (name == "METADATA")
       {
         this->skipMetadata();
-        name = this->word("a name");
+        name = this->name();
       }
       LegacyArray array = arrayOf(name, this->whole(0, "a number of components"));
       array.tuples = this->whole(0, "a number of values");
@@ -223,7 +273,7 @@ bool LegacyFile::passValues(
   }
   else if (keyword == "scalars")
   {
-    LegacyArray array = arrayOf(this->word("a name"), 1.0);
+    LegacyArray array = arrayOf(this->name(), 1.0);
     array.areScalars = true;
     const std::string typeName = this->word("a type");
     std::string line;
@@ -246,7 +296,7 @@ bool LegacyFile::passValues(
   }
   else if (keyword == "color_scalars" || keyword == "texture_coordinates")
   {
-    LegacyArray array = arrayOf(this->word("a name"), 1.0);
+    LegacyArray array = arrayOf(this->name(), 1.0);
     array.components = this->whole(1, "a number of components");
     const std::string typeName = keyword == "color_scalars" ? channel : this->word("a type");
     this->beginValues();
@@ -254,14 +304,14 @@ bool LegacyFile::passValues(
   }
   else if (keyword == "lookup_table")
   {
-    LegacyArray array = arrayOf(this->word("a name"), 4.0);
+    LegacyArray array = arrayOf(this->name(), 4.0);
     array.tuples = this->whole(0, "a number of colors");
     this->beginValues();
     this->pass(array, channel, false, take);
   }
   else if (const auto other = others.find(keyword); other != others.end())
   {
-    const LegacyArray array = arrayOf(this->word("a name"), other->second);
+    const LegacyArray array = arrayOf(this->name(), other->second);
     const std::string typeName = this->word("a type");
     this->beginValues();
     this->pass(array, typeName, true, take);
@@ -280,9 +330,11 @@ bool LegacyFile::pass(LegacyArray array, const std::string& typeName, bool areVa
   constexpr double mostComponents = 1 << 20;
   const bool isWhole = array.components >= 0 && array.components <= mostComponents &&
     array.components == std::floor(array.components);
-  if (isWhole && this->IsText && typeName == "string")
+  this->Components = array.components;
+  const bool areVariants = typeName == "variant";
+  if (isWhole && (areVariants || typeName == "string" || typeName == "utf8_string"))
   {
-    this->skipStrings(array.tuples * array.components);
+    this->skipStrings(array.tuples * array.components, areVariants);
     return true;
   }
   if (array.type == VTK_VOID || !isWhole)

@@ -42,6 +42,8 @@ public:
   /// end
   bool tryWord(std::string& word);
   std::string word(const char* expected);
+  /// As it is written.
+  std::string name();
   double number(const char* expected);
   double whole(double least, const char* expected);
   /// Goes to where values begin: binary ones on the next line, others where the next word is.
@@ -55,7 +57,7 @@ public:
 
   /// Goes past values that begin here.
   void skip(double values, int type);
-  /// Goes past what follows on the keyword METADATA, up to an empty line.
+  /// Goes past what follows on the keyword METADATA, about the array before it.
   void skipMetadata();
   /// Goes past values of points or cells, where keyword is one that such follow, as SCALARS or FIELD.
   /// @param tuples how many points, or cells, have them
@@ -71,7 +73,8 @@ private:
   /// @return whether to go on
   bool pass(LegacyArray array, const std::string& typeName, bool areValues,
     const std::function<bool(const LegacyArray&)>& take);
-  void skipStrings(double strings);
+  void skipStrings(double strings, bool areVariants);
+  void skipString();
   void endLine();
 
   std::filesystem::path File;
@@ -80,6 +83,7 @@ private:
   int MajorVersion = 0;
   bool IsText = false;
   std::string Kind;
+  double Components = 0.0; ///< of the last array
 };
 
 } // namespace ink::io

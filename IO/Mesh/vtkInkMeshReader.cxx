@@ -129,7 +129,7 @@ int vtkInkMeshReader::RequestData(vtkInformation*, vtkInformationVector**, vtkIn
     {
       io::checkCells(cells, mesh->GetNumberOfPoints(), file);
     }
-    io::checkValues(mesh, file);
+    io::dropMismatched(mesh, this->Notes);
   }
   catch (...)
   {

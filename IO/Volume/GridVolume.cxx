@@ -11,6 +11,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -19,8 +20,6 @@
 #include "vtkXMLRectilinearGridReader.h"
 #include "vtkXMLStructuredGridReader.h"
 
-#include <algorithm>
-#include <cstddef>
 #include <stdexcept>
 
 namespace fs = std::filesystem;
@@ -56,6 +55,19 @@ vtkSmartPointer<vtkDataArray> readArray(const RawVolume& values, const Progress&
   RawVolumeReader(values).read(
     all, { static_cast<unsigned char*>(array->GetVoidPointer(0)), count * values.valueSize() }, progress);
   return array;
+}
+
+/// Hides points or cells. @param marks as vtkGhostType has them
+void hide(vtkDataSet* grid, const RawVolume& marks)
+{
+  const vtkSmartPointer<vtkDataArray> array = readArray(marks, {});
+  array->SetName(vtkDataSetAttributes::GhostArrayName());
+  vtkDataSetAttributes* hidden = grid->GetPointData();
+  if (array->GetNumberOfTuples() == grid->GetNumberOfCells())
+  {
+    hidden = grid->GetCellData();
+  }
+  hidden->AddArray(array);
 }
 
 vtkSmartPointer<vtkDataSet> makeGrid(const std::vector<RawVolume>& coordinates)
@@ -97,7 +109,9 @@ void GridVolume::open()
     {
       throw ReadAborted();
     }
-    vtkDataSet* grid = reader->GetOutput();
+    auto grid = vtk::TakeSmartPointer(reader->GetOutput()->NewInstance());
+    grid->ShallowCopy(reader->GetOutput());
+    reader->GetOutput()->Initialize(); // not kept as long as the reader is
     vtkDataArray* values = chooseValues(grid->GetPointData(), notes);
     if (!values)
     {
@@ -131,8 +145,14 @@ GridVolume::GridVolume(const VolumeHeader& header)
   : File(header.voxels.files.front())
   , Format(header.format)
   , Read(
-      [header](std::vector<std::string>&, const Progress& progress) {
-        return Grid{ makeGrid(header.coordinates), readArray(header.voxels, progress), header.components };
+      [header](std::vector<std::string>&, const Progress& progress)
+      {
+        const vtkSmartPointer<vtkDataSet> grid = makeGrid(header.coordinates);
+        for (const RawVolume& marks : header.marks)
+        {
+          hide(grid, marks);
+        }
+        return Grid{ grid, readArray(header.voxels, progress), header.components };
       })
 {
 }
@@ -142,15 +162,16 @@ int GridVolume::read(vtkImageData* image, std::vector<std::string>& notes, const
   const Grid grid = this->Read(notes, progress);
   try
   {
-    image->ShallowCopy(InkImageOfGrid(grid.data, grid.values));
+    const InkGridImage made = InkImageOfGrid(grid.data, grid.values);
+    image->ShallowCopy(made.Image);
+    if (made.IsResampled)
+    {
+      notes.push_back("its grid is resampled to " + formatDimensions(image->GetDimensions()) + " voxels");
+    }
   }
   catch (const std::invalid_argument& problem)
   {
     failToRead(this->File, problem.what());
-  }
-  if (image->GetNumberOfPoints() != grid.values->GetNumberOfTuples())
-  {
-    notes.push_back("its grid is resampled to " + formatDimensions(image->GetDimensions()) + " voxels");
   }
   return grid.components;
 }

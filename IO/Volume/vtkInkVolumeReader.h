@@ -23,7 +23,7 @@
  * that says what was found and what was expected, and a header is believed only as far as there are bytes for
  * what it promises. Parts of the image (update extents) are read without the rest, so that a filter which
  * streams needs no room for all of it; of compressed files what stands before a part is unpacked, but not
- * kept.
+ * kept; all of a grid is read for its extent, by UpdateInformation().
  *
  * Errors, each with an empty output: no such file, none of these formats, one that is damaged or ends too
  * soon, and too little memory.

@@ -400,6 +400,7 @@ TEST(IsoValue, IsNotWhereAnOrbitalChangesItsSign)
     for (const ink::IsoSuggestion& one : suggestAll(volume<float>(orbital)))
     {
       EXPECT_NE(one.boundary, Boundary::Sign);
+      EXPECT_TRUE(one.isLobe);
       EXPECT_GT(one.value, 0.02);
       EXPECT_GT(one.keptShare, 0.001);
       EXPECT_LT(one.keptShare, 0.1);

@@ -259,7 +259,8 @@ TEST(IsoValueOfScans, OfDifferencesAroundABackgroundOfZeroIsPositive)
   const auto map = [](double d, std::size_t i) { return d > 18.0 ? 0.0 : 4.0 * waves(i) + 0.3 * noise(i); };
   const std::vector<ink::IsoSuggestion> suggestions = suggestAll(volume<float>(map));
   ASSERT_EQ(suggestions.size(), 1U);
-  EXPECT_EQ(suggestions.front().boundary, Boundary::Lobe);
+  EXPECT_EQ(suggestions.front().boundary, Boundary::None);
+  EXPECT_TRUE(suggestions.front().isLobe);
   EXPECT_GT(suggestions.front().value, 0.5);
   EXPECT_LT(suggestions.front().value, 2.0);
   // Of negative ones alone, one is still given.

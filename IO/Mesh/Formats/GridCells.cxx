@@ -182,20 +182,20 @@ void checkCells(vtkCellArray* cells, vtkIdType points, const fs::path& file)
   }
 }
 
-void checkValues(vtkDataSet* data, const fs::path& file)
+void dropMismatched(vtkDataSet* data, std::vector<std::string>& notes)
 {
   for (const int type : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkFieldData* arrays = data->GetAttributesAsFieldData(type);
     const vtkIdType count = data->GetNumberOfElements(type);
-    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    for (int i = arrays->GetNumberOfArrays() - 1; i >= 0; --i)
     {
       if (vtkAbstractArray* array = arrays->GetAbstractArray(i); array->GetNumberOfTuples() != count)
       {
-        failToRead(file,
-          "its array " + std::string(array->GetName() ? array->GetName() : "") + " has " +
-            std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(count) +
-            (type == vtkDataObject::POINT ? " points" : " cells"));
+        notes.push_back("its array " + std::string(array->GetName() ? array->GetName() : "") + " has " +
+          std::to_string(array->GetNumberOfTuples()) + " values for " + std::to_string(count) +
+          (type == vtkDataObject::POINT ? " points" : " cells") + " and is left out");
+        arrays->RemoveArray(i);
       }
     }
   }
@@ -204,7 +204,7 @@ void checkValues(vtkDataSet* data, const fs::path& file)
 vtkSmartPointer<vtkPolyData> surfaceOf(
   vtkUnstructuredGrid* grid, const fs::path& file, std::vector<std::string>& notes, const Progress& progress)
 {
-  checkValues(grid, file);
+  dropMismatched(grid, notes);
   const vtkIdType cells = grid->GetNumberOfCells();
   if (cells == 0)
   {

@@ -26,8 +26,9 @@ std::string problemOfCellType(double type);
 /// @throws ReadError if there are such
 void checkCells(vtkCellArray* cells, vtkIdType points, const std::filesystem::path& file);
 
-/// The same of arrays with fewer values than there are points or cells. @throws ReadError if there are such
-void checkValues(vtkDataSet* data, const std::filesystem::path& file);
+/// Leaves out arrays with fewer values, or more, than there are points or cells.
+/// @param notes which these are, is added
+void dropMismatched(vtkDataSet* data, std::vector<std::string>& notes);
 
 /// Reports one half of the work: reading a grid takes about as long as making its surface.
 /// @param begin 0, or 0.5 for the second half

@@ -2,6 +2,7 @@
 #include "VolumeHeader.h"
 
 #include "Core/FormatNumber.h"
+#include "InkActiveScalars.h"
 #include "LegacyFile.h"
 #include "ReadError.h"
 #include "Words.h"
@@ -13,6 +14,9 @@
 #include <ios>
 #include <map>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -30,9 +34,9 @@ struct Chosen
   bool areScalars() const { return this->array && this->array->areScalars; }
 };
 
-/// Reads structured points, or a rectilinear or structured grid, up to the values that are used: the first
-/// SCALARS of points, else the first others; where points have none, those of cells, as voxels in the cells'
-/// centers.
+/// Reads structured points up to the values that are used: the first SCALARS of points, else the first
+/// others; where points have none, those of cells, as voxels in the cells' centers. Of a rectilinear or
+/// structured grid the others as InkRankOfArray has them, as of one in XML, and the marks of what is hidden.
 class LegacyVolume
 {
 public:
@@ -46,7 +50,7 @@ public:
   {
     this->useKind();
     std::string word;
-    while (!this->OfPoints.areScalars() && this->Legacy.tryWord(word))
+    while (!this->hasAll() && this->Legacy.tryWord(word))
     {
       if (!this->takeShape(word) && !this->takeCoordinates(word) &&
         !this->Legacy.passValues(word, this->In ? this->In->tuples : 0.0,
@@ -172,17 +176,19 @@ private:
 
   void checkCoordinates() const
   {
-    const std::size_t expected =
-      this->Legacy.kind() == "structured_points" ? 0 : (this->Legacy.kind() == "rectilinear_grid" ? 3 : 1);
+    const std::size_t expected = !this->isGrid() ? 0 : (this->Legacy.kind() == "rectilinear_grid" ? 3 : 1);
     if (this->Header.coordinates.size() != expected)
     {
       failToRead(this->File,
         "it does not say where its points are: expected " +
           std::string(expected == 1 ? "POINTS" : "X_COORDINATES, Y_COORDINATES and Z_COORDINATES"));
     }
-    for (const RawVolume& coordinates : this->Header.coordinates)
+    for (const std::vector<RawVolume>* all : { &this->Header.coordinates, &this->Header.marks })
     {
-      coordinates.check(this->File);
+      for (const RawVolume& numbers : *all)
+      {
+        numbers.check(this->File);
+      }
     }
   }
 
@@ -198,15 +204,41 @@ private:
     }
   }
 
+  bool isGrid() const { return this->Legacy.kind() != "structured_points"; }
+
+  /// Whether no more is looked for: of a grid, marks may come last.
+  bool hasAll() const { return !this->isGrid() && this->OfPoints.areScalars(); }
+
   /// @return false where no more is looked for
   bool take(const LegacyArray& array)
   {
-    const bool suits = this->In && array.tuples == this->In->tuples && array.components > 0;
-    if (suits && (!this->In->array || (array.areScalars && !this->In->areScalars())))
+    if (!this->In || array.tuples != this->In->tuples || array.components < 1)
     {
-      this->In->array = array;
+      return true;
     }
-    return !this->OfPoints.areScalars();
+    if (InkIsGhostArray(array.name.c_str()))
+    {
+      if (this->isGrid() && array.type == VTK_UNSIGNED_CHAR && array.components == 1)
+      {
+        RawVolume& marks = this->Header.marks.emplace_back();
+        marks.dimensions[0] = static_cast<int>(array.tuples);
+        marks.dimensions[1] = marks.dimensions[2] = 1;
+        this->place(marks, array.type, array.begin);
+      }
+      return true;
+    }
+    const auto rankOf = [this](const LegacyArray& one)
+    {
+      return this->isGrid() ? InkRankOfArray(static_cast<int>(one.components), one.name.c_str())
+                            : std::pair<bool, std::string>();
+    };
+    std::optional<LegacyArray>& found = this->In->array;
+    if (!found || array.areScalars > found->areScalars ||
+      (array.areScalars == found->areScalars && !array.areScalars && rankOf(array) < rankOf(*found)))
+    {
+      found = array;
+    }
+    return !this->hasAll();
   }
 
   void use(const Chosen& chosen)

@@ -26,6 +26,7 @@ struct VolumeHeader
   /// Of a grid that is no image: its coordinates along x, y and z (rectilinear), or its points, x, y and z of
   /// each in turn (structured), in place of all of the above.
   std::vector<RawVolume> coordinates;
+  std::vector<RawVolume> marks; ///< vtkGhostType of its points, or cells
   ValueScale scale;
   std::vector<ValueScale> sliceScales; ///< of each slice; none where they all have `scale`
   bool isScaled() const

@@ -143,7 +143,7 @@ TEST(ImageOfGrid, EvenPointsAreThoseOfAnImage)
 {
   const auto grid = Rectilinear(Even(1.0, 0.5, 5), Even(-2.0, 1.0, 4), Even(7.0, 0.1, 3));
   const auto values = ValuesOf(grid);
-  const auto image = InkImageOfGrid(grid, values);
+  const auto image = InkImageOfGrid(grid, values).Image;
   EXPECT_EQ(image->GetPointData()->GetScalars(), values);
   EXPECT_EQ(image->GetNumberOfPoints(), grid->GetNumberOfPoints());
   double share;
@@ -155,7 +155,7 @@ TEST(ImageOfGrid, ValuesOfEvenCellsAreInTheirCenters)
   const auto grid = Rectilinear(Even(1.0, 0.5, 5), Even(-2.0, 1.0, 4), Even(7.0, 0.1, 3));
   vtkNew<vtkShortArray> values;
   values->SetNumberOfValues(grid->GetNumberOfCells());
-  const auto image = InkImageOfGrid(grid, values);
+  const auto image = InkImageOfGrid(grid, values).Image;
   EXPECT_EQ(image->GetPointData()->GetScalars(), values);
   EXPECT_EQ(image->GetNumberOfPoints(), grid->GetNumberOfCells());
   EXPECT_DOUBLE_EQ(image->GetOrigin()[0], 1.25);
@@ -165,9 +165,9 @@ TEST(ImageOfGrid, ValuesOfEvenCellsAreInTheirCenters)
 
 TEST(ImageOfGrid, UnevenPointsAreResampled)
 {
-  const Coordinates uneven{ 0.0, 0.1, 0.25, 0.5, 1.0, 2.0 };
-  const auto image = InkImageOfGrid(Rectilinear(uneven, Even(0.0, 0.3, 6), Even(-1.0, 0.7, 4)),
-    ValuesOf(Rectilinear(uneven, Even(0.0, 0.3, 6), Even(-1.0, 0.7, 4))));
+  const auto grid = Rectilinear({ 0.0, 0.1, 0.25, 0.5, 1.0, 2.0 }, Even(0.0, 0.3, 6), Even(-1.0, 0.7, 4));
+  const auto [image, isResampled] = InkImageOfGrid(grid, ValuesOf(grid));
+  EXPECT_TRUE(isResampled);
   // A quarter of the steps along x is at most .15.
   EXPECT_EQ(image->GetDimensions()[0], 15);
   EXPECT_EQ(image->GetDimensions()[1], 6);
@@ -189,7 +189,7 @@ TEST(ImageOfGrid, CoordinatesMayFall)
   for (const Coordinates& y : { falling, Even(3.0, -0.5, 7) })
   {
     const auto grid = Rectilinear(Even(0.0, 1.0, 5), y, Even(0.0, 1.0, 3));
-    const auto image = InkImageOfGrid(grid, ValuesOf(grid));
+    const auto image = InkImageOfGrid(grid, ValuesOf(grid)).Image;
     double share;
     EXPECT_LT(ErrorOf(image, share), 1e-12);
     EXPECT_EQ(share, 1.0);
@@ -197,11 +197,51 @@ TEST(ImageOfGrid, CoordinatesMayFall)
   }
 }
 
+TEST(ImageOfGrid, EvenCoordinatesThatFallKeepTheValues)
+{
+  for (int falling = 0; falling < 8; ++falling)
+  {
+    const auto row = [falling](int axis, int count, double step)
+    { return falling >> axis & 1 ? Even(3.0 + step * (count - 1), -step, count) : Even(3.0, step, count); };
+    const auto grid = Rectilinear(row(0, 5, 1.0), row(1, 4, 0.5), row(2, 3, 2.0));
+    vtkNew<vtkShortArray> values;
+    values->SetName("labels");
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      values->InsertNextValue(static_cast<short>(2.0 * Linear(grid->GetPoint(i))));
+    }
+    const auto [image, isResampled] = InkImageOfGrid(grid, values);
+    EXPECT_FALSE(isResampled) << falling;
+    ASSERT_EQ(image->GetScalarType(), VTK_SHORT) << falling;
+    EXPECT_STREQ(image->GetPointData()->GetScalars()->GetName(), "labels") << falling;
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_EQ(image->GetPointData()->GetScalars()->GetComponent(i, 0), 2.0 * Linear(image->GetPoint(i)))
+        << falling;
+    }
+  }
+}
+
+TEST(ImageOfGrid, CellsThatOverlapTakeFewerVoxels)
+{
+  // Points all over a cube, but for steps along x of a ten thousandth.
+  auto grid = vtkSmartPointer<vtkStructuredGrid>::New();
+  grid->SetDimensions(16, 16, 16);
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 16 * 16 * 16; ++i)
+  {
+    const auto at = [row = i / 16](int prime) { return static_cast<double>(row * prime % 251) / 251.0; };
+    points->InsertNextPoint(at(89) + 1e-4 * (i % 16), at(131), at(177));
+  }
+  grid->SetPoints(points);
+  EXPECT_LT(InkImageOfGrid(grid, ValuesOf(grid)).Image->GetNumberOfPoints(), 200000);
+}
+
 TEST(ImageOfGrid, ValuesOfUnevenCellsAreThoseOfTheirCenters)
 {
   const auto grid = Rectilinear({ 0.0, 0.2, 0.6, 1.0, 2.0 }, Even(0.0, 0.3, 6), Even(-1.0, 0.7, 4));
   const auto centers = Rectilinear({ 0.1, 0.4, 0.8, 1.5 }, Even(0.15, 0.3, 5), Even(-0.65, 0.7, 3));
-  const auto image = InkImageOfGrid(grid, ValuesOf(centers));
+  const auto image = InkImageOfGrid(grid, ValuesOf(centers)).Image;
   EXPECT_NEAR(image->GetOrigin()[0], 0.1, 1e-5);
   double share;
   EXPECT_LT(ErrorOf(image, share), 1e-12);
@@ -211,7 +251,7 @@ TEST(ImageOfGrid, ValuesOfUnevenCellsAreThoseOfTheirCenters)
 TEST(ImageOfGrid, ACurvilinearGridHasValuesUpToTheNextVoxelOutside)
 {
   const auto grid = Shell();
-  const auto image = InkImageOfGrid(grid, ValuesOf(grid));
+  const auto image = InkImageOfGrid(grid, ValuesOf(grid)).Image;
   vtkDataArray* values = image->GetPointData()->GetScalars();
   const double voxel = *std::max_element(image->GetSpacing(), image->GetSpacing() + 3);
   // Faces are flat between points that are up to .26 apart on the outside.
@@ -251,7 +291,7 @@ TEST(ImageOfGrid, AStructuredGridOfEvenPointsIsAnImage)
   }
   grid->SetPoints(points);
   const auto values = ValuesOf(grid);
-  const auto image = InkImageOfGrid(grid, values);
+  const auto image = InkImageOfGrid(grid, values).Image;
   EXPECT_EQ(image->GetPointData()->GetScalars(), values);
   double share;
   EXPECT_LT(ErrorOf(image, share), 1e-6);
@@ -279,7 +319,7 @@ TEST(ImageOfGrid, ValuesOfAStructuredGridsCellsAreThoseOfTheirCenters)
     }
   }
   grid->SetPoints(points);
-  const auto image = InkImageOfGrid(grid, values);
+  const auto image = InkImageOfGrid(grid, values).Image;
   EXPECT_EQ(image->GetScalarType(), VTK_FLOAT);
   vtkDataArray* sampled = image->GetPointData()->GetScalars();
   int inside = 0;
@@ -320,10 +360,10 @@ TEST(ImageOfGrid, HiddenPointsAndCellsHaveNoValue)
   cell->BlankCell(3 + 3 * 6 + 3 * 36);
   for (const auto& grid : { point, cell })
   {
-    const auto image = InkImageOfGrid(grid, ValuesOf(grid));
+    const auto image = InkImageOfGrid(grid, ValuesOf(grid)).Image;
     double all;
     double left;
-    ErrorOf(InkImageOfGrid(structured(), ValuesOf(grid)), all);
+    ErrorOf(InkImageOfGrid(structured(), ValuesOf(grid)).Image, all);
     ErrorOf(image, left);
     const double* spacing = image->GetSpacing();
     const double hidden =
@@ -343,7 +383,7 @@ TEST(ImageOfGrid, TakesNoMoreVoxelsThanHelp)
     fine.push_back(fine.back() + (i % 2 == 0 ? 1e-4 : 1.0));
   }
   const auto grid = Rectilinear(fine, fine, fine);
-  EXPECT_LE(InkImageOfGrid(grid, ValuesOf(grid))->GetNumberOfPoints(), 1 << 21);
+  EXPECT_LE(InkImageOfGrid(grid, ValuesOf(grid)).Image->GetNumberOfPoints(), 1 << 21);
 }
 
 TEST(ImageOfGrid, RefusesWhatIsNoVolume)

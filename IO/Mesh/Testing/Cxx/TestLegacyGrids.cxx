@@ -6,6 +6,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkInkMeshReader.h"
@@ -13,11 +14,13 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridWriter.h"
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -106,7 +109,7 @@ TEST(LegacyGrids, BothLayoutsAreRead)
   ExpectTetrahedronAndTriangle(text.Put("CellsFirst"));
 }
 
-TEST(LegacyGrids, BinaryFilesAreReadAsVtkWritesThem)
+TEST(LegacyGrids, AreReadAsVtkWritesThem)
 {
   vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkPoints> points;
@@ -117,11 +120,31 @@ TEST(LegacyGrids, BinaryFilesAreReadAsVtkWritesThem)
   grid->SetPoints(points);
   const vtkIdType ids[] = { 0, 1, 2, 3, 4, 5, 6, 7 };
   grid->InsertNextCell(VTK_VOXEL, 8, ids);
-  for (const int version : { 42, 51 })
+  // Texts, components of which some have names, and what comes after them.
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("texts");
+  vtkNew<vtkDoubleArray> parts;
+  parts->SetName("parts");
+  parts->SetNumberOfComponents(3);
+  parts->SetComponentName(0, "first");
+  parts->SetComponentName(2, "last");
+  vtkNew<vtkDoubleArray> after;
+  after->SetName("after");
+  for (int i = 0; i < 8; ++i)
   {
+    texts->InsertNextValue(std::string(static_cast<std::size_t>(40 * i), 'a'));
+    parts->InsertNextTuple3(i, i, i);
+    after->InsertNextValue(i);
+  }
+  grid->GetPointData()->AddArray(texts);
+  grid->GetPointData()->AddArray(parts);
+  grid->GetPointData()->AddArray(after);
+  for (const int kind : { 42, 51, -42, -51 })
+  {
+    const int version = std::abs(kind);
     vtkNew<vtkUnstructuredGridWriter> writer;
     writer->SetInputData(grid);
-    writer->SetFileTypeToBinary();
+    writer->SetFileType(kind > 0 ? VTK_BINARY : VTK_ASCII);
     writer->SetFileVersion(version);
     writer->SetFileName("LegacyGridBinary.vtk");
     writer->Write();
@@ -129,7 +152,10 @@ TEST(LegacyGrids, BinaryFilesAreReadAsVtkWritesThem)
     reader->SetFileName("LegacyGridBinary.vtk");
     reader->Update();
     EXPECT_EQ(reader->GetOutput()->GetNumberOfPolys(), 6) << version;
-    EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 8) << version;
+    ASSERT_EQ(reader->GetOutput()->GetNumberOfPoints(), 8) << version;
+    vtkDataArray* read = reader->GetOutput()->GetPointData()->GetArray("after");
+    ASSERT_TRUE(read) << kind;
+    EXPECT_EQ(read->GetComponent(7, 0), 7.0) << kind;
   }
 }
 
@@ -171,8 +197,7 @@ TEST(LegacyGrids, WhatIsNotSoundIsRefused)
         "a number of values" },
       { &LegacyText::values, "POINT_DATA 4\nFIELD FieldData 24\na 1 4 int\n1 2 3 4\n",
         "the file ends where a name" },
-      { &LegacyText::values, "POINT_DATA 4\nFIELD FieldData 1\na 1 3 float\n1 2 3\n",
-        "its array a has 3 values for 4 points" } })
+      { &LegacyText::values, "POINT_DATA 4\nFIELD FieldData 1\na 1 4 float\n1 2 3\n", "the file ends" } })
   {
     LegacyText text;
     text.*fault.part = fault.text;

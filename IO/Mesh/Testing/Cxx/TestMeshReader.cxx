@@ -263,7 +263,7 @@ TEST(MeshReader, CanBeAborted)
   }
 }
 
-TEST(MeshReader, LegacyFilesThatAreNotSoundAreRefused)
+TEST(MeshReader, LegacyFilesThatAreNotSound)
 {
   const std::string start = "# vtk DataFile Version 5.1\ntest\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
                             "0 0 0 1 0 0 0 1 0\n";
@@ -271,7 +271,13 @@ TEST(MeshReader, LegacyFilesThatAreNotSoundAreRefused)
   { return "POLYGONS 3 4\nOFFSETS vtktypeint64\n" + ends + "\nCONNECTIVITY vtktypeint64\n0 1 2 0\n"; };
   ExpectError({ "a cell ends at number 3" }, Put("MeshReaderFalling.vtk", start + cells("0 4 3")));
   ExpectError({ "a cell ends at number 5" }, Put("MeshReaderBeyond.vtk", start + cells("0 3 5")));
-  ExpectError({ "its array a has 2 values for 3 points" },
-    Put("MeshReaderFewValues.vtk",
-      start + cells("0 3 4") + "POINT_DATA 3\nFIELD FieldData 1\na 1 2 float\n1 2\n"));
+  vtkNew<vtkInkMeshReader> reader;
+  reader->SetFileName(Put("MeshReaderFewValues.vtk",
+    start + cells("0 3 4") + "POINT_DATA 3\nFIELD FieldData 2\na 1 2 float\n1 2\nb 1 3 float\n1 2 3\n")
+                        .c_str());
+  reader->Update();
+  ASSERT_EQ(reader->GetNumberOfNotes(), 1);
+  EXPECT_STREQ(reader->GetNote(0), "its array a has 2 values for 3 points and is left out");
+  EXPECT_FALSE(reader->GetOutput()->GetPointData()->HasArray("a"));
+  EXPECT_TRUE(reader->GetOutput()->GetPointData()->HasArray("b"));
 }

@@ -190,6 +190,48 @@ TEST(GridVolumes, StructuredGridsAreResampled)
   }
 }
 
+TEST(GridVolumes, WhatIsHiddenHasNoValueInAnyFormat)
+{
+  for (const bool ofCells : { false, true })
+  {
+    const auto grid = Structured();
+    if (ofCells)
+    {
+      grid->BlankCell(7);
+    }
+    else
+    {
+      grid->BlankPoint(22);
+    }
+    const std::string name = ofCells ? "GridVolumesHiddenCell" : "GridVolumesHiddenPoint";
+    std::vector<vtkIdType> hidden;
+    for (const std::string& file : { WriteGrid<vtkXMLStructuredGridWriter>(name + ".vts", grid, nothing),
+           WriteGrid<vtkStructuredGridWriter>(name + ".vtk", grid, binary),
+           WriteGrid<vtkStructuredGridWriter>(name + "Text.vtk", grid, text) })
+    {
+      const auto reader = UpdatedReaderOf(file);
+      vtkDataArray* values = reader->GetOutput()->GetPointData()->GetScalars();
+      ASSERT_TRUE(values) << file;
+      hidden.push_back(0);
+      for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+      {
+        hidden.back() += std::isnan(values->GetComponent(i, 0)) ? 1 : 0;
+      }
+    }
+    const auto whole =
+      UpdatedReaderOf(WriteGrid<vtkXMLStructuredGridWriter>(name + "Whole.vts", Structured(), nothing));
+    vtkDataArray* all = whole->GetOutput()->GetPointData()->GetScalars();
+    vtkIdType outside = 0;
+    for (vtkIdType i = 0; i < all->GetNumberOfTuples(); ++i)
+    {
+      outside += std::isnan(all->GetComponent(i, 0)) ? 1 : 0;
+    }
+    EXPECT_GT(hidden[0], outside) << name;
+    EXPECT_EQ(hidden[1], hidden[0]) << name;
+    EXPECT_EQ(hidden[2], hidden[0]) << name;
+  }
+}
+
 TEST(GridVolumes, EvenPointsAreThoseOfAnImage)
 {
   vtkNew<vtkRectilinearGrid> grid;
@@ -248,7 +290,7 @@ TEST(GridVolumes, WhatIsBrokenIsRefused)
   ExpectRefused(rectilinear("Falls", "3 float\n0 2 1\n", yz + values), { "along x go from 2 to 1", "rise" });
   ExpectRefused(rectilinear("None", "3 float\n0 1 2\n", values), { "where its points are", "Z_COORDINATES" });
   ExpectRefused(
-    rectilinear("Ends", "3 float\n0 1 2\n", yz + values.substr(0, values.size() - 12)), { "values" });
+    rectilinear("Ends", "3 float\n0 1 2\n", yz + values.substr(0, values.size() - 12)), { "the file ends" });
   ExpectRefused(
     rectilinear("Points", "3 float\n0 1 2\n", "POINTS 12 float\n" + values), { "points", "keyword" });
   ExpectRefused(
