@@ -17,6 +17,7 @@
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkResampleToImage.h"
+#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -342,8 +343,8 @@ double CountLooks(vtkStructuredGrid* grid, const Axes& axes)
 /// Takes fewer voxels where cells overlap, or are so long and thin, that it would take minutes.
 void LimitLooks(vtkStructuredGrid* grid, Axes& axes)
 {
-  constexpr double few = 1 << 24;
-  constexpr double perPoint = 256.0;
+  constexpr double few = 1 << 22;
+  constexpr double perPoint = 128.0;
   const double most = std::max(few, perPoint * static_cast<double>(grid->GetNumberOfPoints()));
   constexpr int turns = 8;
   for (int turn = 0; turn < turns; ++turn)
@@ -435,7 +436,9 @@ vtkSmartPointer<vtkImageData> Resampled(vtkDataSet* grid, const Axes& axes)
   resample->SetSamplingBounds(bounds);
   resample->SetSamplingDimensions(
     static_cast<int>(axes[0].Count), static_cast<int>(axes[1].Count), static_cast<int>(axes[2].Count));
-  resample->Update();
+  // In threads it is chance which of two cells has a voxel that lies between them.
+  vtkSMPTools::LocalScope(
+    vtkSMPTools::Config(std::string("Sequential")), [&resample] { resample->Update(); });
   vtkPointData* sampled = resample->GetOutput()->GetPointData();
   auto* values = Array::SafeDownCast(sampled->GetArray("values"));
   vtkDataArray* valid = sampled->GetArray(resample->GetMaskArrayName());
