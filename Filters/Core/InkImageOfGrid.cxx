@@ -298,7 +298,9 @@ void Limit(Axes& axes, double points)
   constexpr double few = 1 << 21;
   constexpr double many = 1 << 27;
   constexpr double times = 8.0;
-  const double most = std::max(few, std::min(times * points, std::max(points, many)));
+  constexpr double timesOfFew = 512.0;
+  const double most =
+    std::max(std::min(few, timesOfFew * points), std::min(times * points, std::max(points, many)));
   // In turns, as an axis keeps two voxels.
   for (int turn = 0; turn < 3; ++turn)
   {

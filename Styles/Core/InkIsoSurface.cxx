@@ -185,15 +185,16 @@ std::vector<ink::IsoSuggestion> InkIsoSurface::SuggestOf(vtkInkStyle* style, con
   for (const ink::IsoSuggestion& one : suggestions)
   {
     numbers.insert(numbers.end(),
-      { one.value, static_cast<double>(one.boundary), one.keptShare, static_cast<double>(one.labels) });
+      { one.value, static_cast<double>(one.boundary), one.keptShare, static_cast<double>(one.labels),
+        one.isLobe ? 1.0 : 0.0 });
   }
   style->GetProcesses().TakeOfFirst(numbers);
   suggestions.clear();
-  for (std::size_t i = 0; i < numbers.size(); i += 4)
+  for (std::size_t i = 0; i < numbers.size(); i += 5)
   {
     const auto boundary = static_cast<ink::IsoSuggestion::Boundary>(static_cast<int>(numbers[i + 1]));
-    suggestions.push_back(
-      { numbers[i], boundary, numbers[i + 2], static_cast<std::int64_t>(numbers[i + 3]) });
+    suggestions.push_back({ numbers[i], boundary, numbers[i + 2], static_cast<std::int64_t>(numbers[i + 3]),
+      numbers[i + 4] != 0.0 });
   }
   return suggestions;
 }
