@@ -2,6 +2,7 @@
 #include "InkImageOfGrid.h"
 
 #include "InkActiveScalars.h"
+#include "InkGridAxes.h"
 
 #include "Core/FormatNumber.h"
 
@@ -11,7 +12,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -33,27 +33,6 @@
 namespace
 {
 
-using Dimensions = std::array<int, 3>;
-
-Dimensions DimensionsOf(vtkDataSet* grid)
-{
-  Dimensions dimensions{};
-  if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
-  {
-    rectilinear->GetDimensions(dimensions.data());
-  }
-  else if (auto* structured = vtkStructuredGrid::SafeDownCast(grid))
-  {
-    structured->GetDimensions(dimensions.data());
-  }
-  return dimensions;
-}
-
-std::array<vtkDataArray*, 3> CoordinatesOf(vtkRectilinearGrid* grid)
-{
-  return { grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates() };
-}
-
 /// The middles between neighbors.
 vtkSmartPointer<vtkDoubleArray> MiddlesOf(vtkDataArray* coordinates)
 {
@@ -67,7 +46,7 @@ vtkSmartPointer<vtkDoubleArray> MiddlesOf(vtkDataArray* coordinates)
 }
 
 /// The means of the eight corners of cells.
-vtkSmartPointer<vtkPoints> CentersOf(vtkStructuredGrid* grid, const Dimensions& d)
+vtkSmartPointer<vtkPoints> CentersOf(vtkStructuredGrid* grid, const std::array<int, 3>& d)
 {
   auto centers = vtkSmartPointer<vtkPoints>::New();
   centers->SetDataTypeToDouble();
@@ -100,10 +79,10 @@ vtkSmartPointer<vtkPoints> CentersOf(vtkStructuredGrid* grid, const Dimensions& 
 /// A grid without values of the centers of another one's cells.
 vtkSmartPointer<vtkDataSet> GridOfCenters(vtkDataSet* grid)
 {
-  const Dimensions d = DimensionsOf(grid);
+  const std::array<int, 3> d = InkGridDimensions(grid);
   if (auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid))
   {
-    const auto [x, y, z] = CoordinatesOf(rectilinear);
+    const auto [x, y, z] = InkGridCoordinates(rectilinear);
     auto centers = vtkSmartPointer<vtkRectilinearGrid>::New();
     centers->SetDimensions(d[0] - 1, d[1] - 1, d[2] - 1);
     centers->SetXCoordinates(MiddlesOf(x));
@@ -115,252 +94,6 @@ vtkSmartPointer<vtkDataSet> GridOfCenters(vtkDataSet* grid)
   centers->SetDimensions(d[0] - 1, d[1] - 1, d[2] - 1);
   centers->SetPoints(CentersOf(vtkStructuredGrid::SafeDownCast(grid), d));
   return centers;
-}
-
-// Of a step; coordinates in 4 bytes are not exact.
-constexpr double notSeen = 0.01;
-
-/// A structured grid whose rows lie along x, y and z as one that says so; null if they do not.
-vtkSmartPointer<vtkRectilinearGrid> AsRectilinear(vtkStructuredGrid* grid)
-{
-  if (grid->HasAnyBlankPoints() || grid->HasAnyBlankCells())
-  {
-    return nullptr;
-  }
-  const Dimensions d = DimensionsOf(grid);
-  const std::array<vtkIdType, 3> strides{ 1, d[0], static_cast<vtkIdType>(d[0]) * d[1] };
-  std::array<std::vector<double>, 3> rows;
-  std::array<double, 3> tolerances;
-  double point[3];
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 0; i < d[axis]; ++i)
-    {
-      grid->GetPoint(i * strides[axis], point);
-      rows[axis].push_back(point[axis]);
-    }
-    tolerances[axis] = notSeen * std::abs(rows[axis].back() - rows[axis].front()) / (d[axis] - 1);
-  }
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    grid->GetPoint(i, point);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const auto place = static_cast<std::size_t>(i / strides[axis] % d[axis]);
-      if (!(std::abs(point[axis] - rows[axis][place]) <= tolerances[axis]))
-      {
-        return nullptr;
-      }
-    }
-  }
-  auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
-  rectilinear->SetDimensions(d.data());
-  const auto arrayOf = [](const std::vector<double>& row)
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetNumberOfValues(static_cast<vtkIdType>(row.size()));
-    std::copy(row.begin(), row.end(), array->GetPointer(0));
-    return vtkSmartPointer<vtkDoubleArray>(array);
-  };
-  rectilinear->SetXCoordinates(arrayOf(rows[0]));
-  rectilinear->SetYCoordinates(arrayOf(rows[1]));
-  rectilinear->SetZCoordinates(arrayOf(rows[2]));
-  return rectilinear;
-}
-
-/// Where an image has its voxels along an axis.
-struct Axis
-{
-  double First = 0.0;
-  double Last = 0.0;
-  double Count = 0.0;
-  bool IsEven = false; ///< where the grid has its points
-
-  double Step() const { return (this->Last - this->First) / (this->Count - 1.0); }
-};
-
-/// Of a part of the steps, from the finest one up.
-double FineStep(std::vector<double>& steps)
-{
-  constexpr std::size_t quarter = 4;
-  const auto fine = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / quarter);
-  std::nth_element(steps.begin(), fine, steps.end());
-  return *fine;
-}
-
-/// How many voxels of a size an axis has, with a limit far above what is taken.
-double countOf(const Axis& axis, double size)
-{
-  constexpr double most = 1e6;
-  return std::min(std::ceil((axis.Last - axis.First) / size) + 1.0, most);
-}
-
-Axis AxisOf(vtkDataArray* coordinates, char name)
-{
-  const auto at = [coordinates](vtkIdType i) { return coordinates->GetComponent(i, 0); };
-  const vtkIdType count = coordinates->GetNumberOfTuples();
-  const double sign = at(count - 1) < at(0) ? -1.0 : 1.0;
-  std::vector<double> steps;
-  double furthest = 0.0;
-  const double mean = (at(count - 1) - at(0)) / static_cast<double>(count - 1);
-  for (vtkIdType i = 1; i < count; ++i)
-  {
-    steps.push_back(sign * (at(i) - at(i - 1)));
-    if (!(steps.back() > 0.0 && std::isfinite(steps.back())))
-    {
-      throw std::invalid_argument(std::string("its coordinates along ") + name + " go from " +
-        ink::formatNumber(at(i - 1)) + " to " + ink::formatNumber(at(i)) +
-        "; expected numbers that rise, or fall, throughout");
-    }
-    furthest = std::max(furthest, std::abs(at(i) - at(0) - static_cast<double>(i) * mean));
-  }
-  Axis axis{ std::min(at(0), at(count - 1)), std::max(at(0), at(count - 1)), static_cast<double>(count) };
-  axis.IsEven = furthest <= notSeen * std::abs(mean);
-  if (!axis.IsEven)
-  {
-    axis.Count = countOf(axis, FineStep(steps));
-  }
-  return axis;
-}
-
-using Axes = std::array<Axis, 3>;
-
-Axes AxesOf(vtkRectilinearGrid* grid)
-{
-  const auto [x, y, z] = CoordinatesOf(grid);
-  return { AxisOf(x, 'x'), AxisOf(y, 'y'), AxisOf(z, 'z') };
-}
-
-/// The distances between neighbors that do not fall together, as at poles. @throws std::invalid_argument
-std::vector<double> StepsOf(vtkStructuredGrid* grid)
-{
-  const Dimensions d = DimensionsOf(grid);
-  const std::array<vtkIdType, 3> strides{ 1, d[0], static_cast<vtkIdType>(d[0]) * d[1] };
-  std::vector<double> steps;
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    grid->GetPoint(i, point);
-    for (const double x : point)
-    {
-      if (!std::isfinite(x))
-      {
-        throw std::invalid_argument("its point " + std::to_string(i) + " has the coordinate " +
-          ink::formatNumber(x) + "; expected finite numbers");
-      }
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      if ((i / strides[axis]) % d[axis] > 0)
-      {
-        double before[3];
-        grid->GetPoint(i - strides[axis], before);
-        const double step = std::sqrt(vtkMath::Distance2BetweenPoints(point, before));
-        if (step > 0.0)
-        {
-          steps.push_back(step);
-        }
-      }
-    }
-  }
-  return steps;
-}
-
-Axes AxesOf(vtkStructuredGrid* grid)
-{
-  std::vector<double> steps = StepsOf(grid);
-  const double* bounds = grid->GetBounds();
-  Axes axes;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    axes[axis].First = bounds[2 * axis];
-    axes[axis].Last = bounds[2 * axis + 1];
-    if (!(axes[axis].Last > axes[axis].First && std::isfinite(axes[axis].Last - axes[axis].First)))
-    {
-      throw std::invalid_argument("its points are from " + ink::formatNumber(axes[axis].First) + " to " +
-        ink::formatNumber(axes[axis].Last) + " along " + "xyz"[axis] + "; expected a volume");
-    }
-  }
-  // Its border is made of voxels, which leave gaps where surfaces go along it; small ones leave gaps in lines
-  // along slanted borders.
-  constexpr double perStep = 3.0;
-  const double step = FineStep(steps) / perStep;
-  for (Axis& axis : axes)
-  {
-    axis.Count = countOf(axis, step);
-  }
-  return axes;
-}
-
-/// Takes fewer voxels where they are far more than points.
-void Limit(Axes& axes, double points)
-{
-  constexpr double few = 1 << 21;
-  constexpr double many = 1 << 27;
-  constexpr double times = 8.0;
-  constexpr double timesOfFew = 512.0;
-  const double most =
-    std::max(std::min(few, timesOfFew * points), std::min(times * points, std::max(points, many)));
-  // In turns, as an axis keeps two voxels.
-  for (int turn = 0; turn < 3; ++turn)
-  {
-    double voxels = 1.0;
-    double free = 0.0;
-    for (const Axis& axis : axes)
-    {
-      voxels *= axis.Count;
-      free += !axis.IsEven && axis.Count > 2.0 ? 1.0 : 0.0;
-    }
-    if (voxels <= most || free == 0.0)
-    {
-      return;
-    }
-    const double share = std::pow(most / voxels, 1.0 / free);
-    for (Axis& axis : axes)
-    {
-      axis.Count = axis.IsEven ? axis.Count : std::max(std::floor(axis.Count * share), 2.0);
-    }
-  }
-}
-
-/// In how many cells' bounding boxes voxels lie, all together: vtkResampleToImage looks at each cell for
-/// each.
-double CountLooks(vtkStructuredGrid* grid, const Axes& axes)
-{
-  double looks = 0.0;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    double bounds[6];
-    grid->GetCellBounds(cell, bounds);
-    double voxels = 1.0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      voxels *= (bounds[2 * axis + 1] - bounds[2 * axis]) / axes[axis].Step() + 1.0;
-    }
-    looks += voxels;
-  }
-  return looks;
-}
-
-/// Takes fewer voxels where cells overlap, or are so long and thin, that it would take minutes.
-void LimitLooks(vtkStructuredGrid* grid, Axes& axes)
-{
-  constexpr double few = 1 << 22;
-  constexpr double perPoint = 128.0;
-  const double most = std::max(few, perPoint * static_cast<double>(grid->GetNumberOfPoints()));
-  constexpr int turns = 8;
-  for (int turn = 0; turn < turns; ++turn)
-  {
-    const double looks = CountLooks(grid, axes);
-    if (looks <= most)
-    {
-      return;
-    }
-    for (Axis& axis : axes)
-    {
-      axis.Count = std::max(std::floor(axis.Count * std::cbrt(most / looks)), 2.0);
-    }
-  }
 }
 
 constexpr const char* hiddenCells = "hidden";
@@ -422,7 +155,7 @@ void GoOutside(Array* values, const std::vector<vtkIdType>& outside, vtkImageDat
 }
 
 template <class Array>
-vtkSmartPointer<vtkImageData> Resampled(vtkDataSet* grid, const Axes& axes)
+vtkSmartPointer<vtkImageData> Resampled(vtkDataSet* grid, const InkGridAxes& axes)
 {
   vtkNew<vtkResampleToImage> resample;
   resample->SetInputDataObject(grid);
@@ -501,15 +234,7 @@ vtkSmartPointer<vtkImageData> Resampled(vtkDataSet* grid, vtkDataArray* values, 
     ? VisibleValues<Array>(values, marksOf(grid->GetCellData()), hiddenCell)
     : VisibleValues<Array>(values, marksOf(grid->GetPointData()), Marks::HIDDENPOINT);
   points->GetPointData()->SetScalars(visible);
-  auto* rectilinear = vtkRectilinearGrid::SafeDownCast(points);
-  auto* structured = vtkStructuredGrid::SafeDownCast(points);
-  Axes axes = rectilinear ? AxesOf(rectilinear) : AxesOf(structured);
-  Limit(axes, static_cast<double>(points->GetNumberOfPoints()));
-  if (structured)
-  {
-    LimitLooks(structured, axes);
-  }
-  const vtkSmartPointer<vtkImageData> image = Resampled<Array>(points, axes);
+  const vtkSmartPointer<vtkImageData> image = Resampled<Array>(points, InkFindVoxels(points));
   image->GetPointData()->GetScalars()->SetName(values->GetName());
   return image;
 }
@@ -545,15 +270,15 @@ vtkSmartPointer<vtkImageData> Same(vtkRectilinearGrid* grid, vtkDataArray* value
   {
     return nullptr;
   }
-  const Axes axes = AxesOf(grid);
+  const InkGridAxes axes = InkFindAxes(grid);
   auto image = vtkSmartPointer<vtkImageData>::New();
-  const Dimensions d = DimensionsOf(grid);
+  const std::array<int, 3> d = InkGridDimensions(grid);
   const int less = areOfCells ? 1 : 0;
   image->SetDimensions(d[0] - less, d[1] - less, d[2] - less);
   std::array<double, 3> origin;
   std::array<double, 3> spacing;
   std::array<bool, 3> falls;
-  const auto coordinates = CoordinatesOf(grid);
+  const auto coordinates = InkGridCoordinates(grid);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     if (!axes[axis].IsEven)
@@ -577,7 +302,7 @@ vtkSmartPointer<vtkImageData> Same(vtkRectilinearGrid* grid, vtkDataArray* value
 
 InkGridImage InkImageOfGrid(vtkDataSet* grid, vtkDataArray* values)
 {
-  const Dimensions d = DimensionsOf(grid);
+  const std::array<int, 3> d = InkGridDimensions(grid);
   const bool areOfCells = values->GetNumberOfTuples() == grid->GetNumberOfCells();
   // Fewer have no steps between them.
   const int least = areOfCells ? 3 : 2;
@@ -592,7 +317,7 @@ InkGridImage InkImageOfGrid(vtkDataSet* grid, vtkDataArray* values)
       std::to_string(grid->GetNumberOfPoints()) + " points");
   }
   auto* structured = vtkStructuredGrid::SafeDownCast(grid);
-  const auto regular = structured ? AsRectilinear(structured) : nullptr;
+  const auto regular = structured ? InkAsRectilinear(structured) : nullptr;
   grid = regular ? regular.Get() : grid;
   auto* rectilinear = vtkRectilinearGrid::SafeDownCast(grid);
   if (const auto same = rectilinear ? Same(rectilinear, values, areOfCells) : nullptr)
