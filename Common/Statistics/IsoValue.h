@@ -54,10 +54,9 @@ struct IsoSuggestion
 /// Not suggested are noise (too many single voxels, and many more than at lower values), the border of a
 /// scanner's field of view (nearly everything inside), fragments (less than a hundredth of what a lower
 /// boundary keeps), the peaks of smooth fields, as simulations have (less than a twentieth of the area of
-/// surfaces at lower values, and no material above), the change of sign of fields that fade to 0, as orbitals
-/// do, the haze around a boundary whose step times what it
-/// keeps is clearly more, and, as long as there are other boundaries, the edge of a mask (edges that begin in
-/// a region of one value).
+/// surfaces at lower values, and no material above), the change of sign of fields that fade to 0, as orbitals,
+/// the haze around a boundary whose step times what it keeps is clearly more, and, as long as there are other
+/// boundaries, the edge of a mask (edges that begin in a region of one value).
 ///
 /// Where noise can hide boundaries, they are those of the smoothed volume, see smoothedSlices, from the first
 /// on that is clean in the values themselves, if there are no others or if that lies around them.
