@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <limits>
 #include <map>
-#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -87,12 +86,8 @@ std::string LegacyFile::name()
 double LegacyFile::number(const char* expected)
 {
   const std::string word = this->word(expected);
-  const std::optional<double> number = numberIn(word);
-  if (!number || !std::isfinite(*number))
-  {
-    this->fail(word, expected);
-  }
-  return *number;
+  std::string_view text = word;
+  return takeNumber(text, this->File, expected);
 }
 
 double LegacyFile::whole(double least, const char* expected)

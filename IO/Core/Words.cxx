@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <system_error>
 #include <utility>
 
@@ -74,6 +76,28 @@ void failAtWord(const std::filesystem::path& file, std::string_view found, const
   failToRead(file,
     (found.empty() ? "the file ends" : "it says '" + shortened(found) + "'") + " where " + expected +
       " was expected");
+}
+
+double takeNumber(std::string_view& text, const std::filesystem::path& file, const char* expected)
+{
+  const std::string_view word = nextWord(text);
+  const std::optional<double> number = numberIn(word);
+  if (!number || !std::isfinite(*number))
+  {
+    failAtWord(file, word, expected);
+  }
+  return *number;
+}
+
+int takeWhole(std::string_view& text, int least, const std::filesystem::path& file, const char* expected)
+{
+  const std::string_view word = nextWord(text);
+  const double number = numberIn(word).value_or(std::nan(""));
+  if (!(number >= least && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
+  {
+    failAtWord(file, word, expected);
+  }
+  return static_cast<int>(number);
 }
 
 bool comesBefore(const std::string& a, const std::string& b)

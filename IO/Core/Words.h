@@ -27,6 +27,13 @@ VTKINKIOCORE_EXPORT std::string shortened(std::string_view line);
 [[noreturn]] VTKINKIOCORE_EXPORT void failAtWord(
   const std::filesystem::path& file, std::string_view found, const std::string& expected);
 
+/// Takes a finite number, or a whole one of at least `least`, from the front of text. @param expected what it
+/// is, for the message. @throws ReadError if the next word is none
+VTKINKIOCORE_EXPORT double takeNumber(
+  std::string_view& text, const std::filesystem::path& file, const char* expected);
+VTKINKIOCORE_EXPORT int takeWhole(
+  std::string_view& text, int least, const std::filesystem::path& file, const char* expected);
+
 /// Whether a name comes before another, numbers in them by their value, so that 10 comes after 9.
 VTKINKIOCORE_EXPORT bool comesBefore(const std::string& a, const std::string& b);
 

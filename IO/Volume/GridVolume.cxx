@@ -120,7 +120,7 @@ void GridVolume::open()
     }
     if (!values)
     {
-      failToRead(file, "it holds no values, neither at its points nor in its cells");
+      failToRead(file, lackOfValues);
     }
     return Grid{ grid, values, values->GetNumberOfComponents() };
   };

@@ -40,7 +40,7 @@ vtkDataArray* chooseScalars(
   vtkDataArray* scalars = pointData->GetScalars();
   if (!scalars)
   {
-    failToRead(file, "it holds no values, neither at its points nor in its cells");
+    failToRead(file, lackOfValues);
   }
   if (scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {

@@ -44,6 +44,8 @@ public:
   {
   }
 
+  const std::string& kind() const { return this->Legacy.kind(); }
+
   void check()
   {
     std::string word;
@@ -237,13 +239,14 @@ bool isLegacyMesh(const std::filesystem::path& file)
 vtkSmartPointer<vtkPolyData> readLegacyMesh(
   const std::filesystem::path& file, std::vector<std::string>& notes, const Progress& progress)
 {
-  const std::string kind = LegacyFile(file).kind();
+  LegacySections sections(file);
+  const std::string& kind = sections.kind();
   if (kind != polyData && kind != grid)
   {
     failToRead(file,
       "it is a legacy VTK file of '" + shortened(kind) + "'; expected DATASET POLYDATA or UNSTRUCTURED_GRID");
   }
-  LegacySections(file).check();
+  sections.check();
   if (kind == grid)
   {
     const auto cells = readBy<vtkUnstructuredGridReader, vtkUnstructuredGrid>(file, halfOf(progress, 0.0));

@@ -62,7 +62,7 @@ public:
     const Chosen& chosen = this->OfPoints.array ? this->OfPoints : this->OfCells;
     if (!chosen.array)
     {
-      failToRead(this->File, "it holds no values, neither at its points nor in its cells");
+      failToRead(this->File, lackOfValues);
     }
     this->use(chosen);
     this->Header.voxels.check(this->File);

@@ -6,11 +6,8 @@
 #include "Words.h"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
-#include <limits>
-#include <optional>
 #include <sstream>
 
 namespace fs = std::filesystem;
@@ -157,28 +154,6 @@ std::vector<fs::path> detachedFiles(const fs::path& header, const std::string& d
     }
   }
   return files;
-}
-
-double takeNumber(std::string_view& text, const fs::path& file, const char* expected)
-{
-  const std::string_view word = nextWord(text);
-  const std::optional<double> number = numberIn(word);
-  if (!number || !std::isfinite(*number))
-  {
-    failAtWord(file, word, expected);
-  }
-  return *number;
-}
-
-int takeWhole(std::string_view& text, int least, const fs::path& file, const char* expected)
-{
-  const std::string_view word = nextWord(text);
-  const double number = numberIn(word).value_or(std::nan(""));
-  if (!(number >= least && number <= std::numeric_limits<int>::max()) || number != std::floor(number))
-  {
-    failAtWord(file, word, expected);
-  }
-  return static_cast<int>(number);
 }
 
 std::vector<double> numbersIn(std::string text)

@@ -30,11 +30,6 @@ std::string fieldOf(const TextFields& fields, const char* name, const char* othe
 std::vector<std::filesystem::path> detachedFiles(
   const std::filesystem::path& header, const std::string& description, int slices);
 
-/// Takes a finite number, or a whole one of at least `least`, from the front of text. @param expected what it
-/// is, for the message. @throws ReadError if the next word is none
-double takeNumber(std::string_view& text, const std::filesystem::path& file, const char* expected);
-int takeWhole(std::string_view& text, int least, const std::filesystem::path& file, const char* expected);
-
 /// All numbers in text, which may stand between spaces, commas and parentheses.
 std::vector<double> numbersIn(std::string text);
 

@@ -69,6 +69,9 @@ VolumeHeader readLegacyHeader(const std::filesystem::path& file);
 inline constexpr const char* noteOfCells =
   "its values are those of its cells; each is taken as that of a voxel in the cell's middle";
 
+/// What is said of files without any.
+inline constexpr const char* lackOfValues = "it holds no values, neither at its points nor in its cells";
+
 /// A distance between voxels as files give it: where there is none, 1.
 double spacingOf(double given);
 

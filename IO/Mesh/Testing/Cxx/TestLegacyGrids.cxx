@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Unstructured grids in legacy VTK files of both layouts, and what is refused.
 
-#include "InkTestMessages.h"
+#include "MeshTestReading.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkInkMeshReader.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -24,6 +23,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+using MeshTestReading::ExpectError;
 
 namespace
 {
@@ -50,18 +51,6 @@ struct LegacyText
 
 constexpr const char* NewCells =
   "CELLS 3 7\nOFFSETS vtktypeint64\n0 4 7\nCONNECTIVITY vtktypeint64\n0 1 2 3 0 1 2\n";
-
-void ExpectLegacyError(const std::string& words, const std::string& file)
-{
-  vtkNew<vtkInkMeshReader> reader;
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(reader);
-  messages->Observe(reader->GetExecutive());
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  messages->Expect(file, { words });
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << file;
-}
 
 void ExpectTetrahedronAndTriangle(const std::string& file)
 {
@@ -201,11 +190,11 @@ TEST(LegacyGrids, WhatIsNotSoundIsRefused)
   {
     LegacyText text;
     text.*fault.part = fault.text;
-    ExpectLegacyError(fault.expected, text.Put("Fault" + std::to_string(++number)));
+    ExpectError({ fault.expected }, text.Put("Fault" + std::to_string(++number)));
   }
   LegacyText without;
   without.points = without.values = "";
-  ExpectLegacyError("a cell has point 3, but there are 0 points", without.Put("NoPoints"));
+  ExpectError({ "a cell has point 3, but there are 0 points" }, without.Put("NoPoints"));
   for (const auto& [cells, expected] : std::vector<std::pair<const char*, const char*>>{
          { "CELLS 3000000000 7\n", tooMany }, { "CELLS 3 3000000000\n", tooMany },
          { "CELLS 3 7\nOFFSETS vtktypeint64\n0 7 4\nCONNECTIVITY vtktypeint64\n0 1 2 3 0 1 2\n",
@@ -222,7 +211,7 @@ TEST(LegacyGrids, WhatIsNotSoundIsRefused)
     LegacyText text;
     text.version = "5.1";
     text.cells = cells;
-    ExpectLegacyError(expected, text.Put("NewFault" + std::to_string(++number)));
+    ExpectError({ expected }, text.Put("NewFault" + std::to_string(++number)));
   }
 }
 
@@ -243,5 +232,5 @@ TEST(LegacyGrids, CellsOfMeshesEndInOrder)
   std::ofstream(file) << "# vtk DataFile Version 5.1\ntest\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n"
                          "0 0 0 1 0 0 0 1 0\nPOLYGONS 3 4\nOFFSETS vtktypeint64\n0 4 3\n"
                          "CONNECTIVITY vtktypeint64\n0 1 2 0\n";
-  ExpectLegacyError("a cell ends at number 3", file);
+  ExpectError({ "a cell ends at number 3" }, file);
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every format, the errors, and that reading can be stopped.
 
-#include "InkTestMessages.h"
+#include "MeshTestReading.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
-#include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkInkMeshReader.h"
 #include "vtkNew.h"
 #include "vtkPLYWriter.h"
@@ -24,6 +22,8 @@
 #include <fstream>
 #include <string>
 #include <vector>
+
+using MeshTestReading::ExpectError;
 
 namespace
 {
@@ -75,19 +75,6 @@ std::vector<std::string> AllMeshes(const std::string& name)
   return { WriteSphere<vtkPLYWriter>(name + ".ply"), WriteSphere<vtkSTLWriter>(name + ".stl"),
     WriteSphere<vtkXMLPolyDataWriter>(name + ".vtp"), WriteSphere<vtkPolyDataWriter>(name + ".vtk"),
     WriteObj(name + ".OBJ") };
-}
-
-void ExpectError(const std::vector<std::string>& words, const std::string& file)
-{
-  vtkNew<vtkInkMeshReader> reader;
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(reader);
-  messages->Observe(reader->GetExecutive());
-  reader->SetFileName(file.empty() ? nullptr : file.c_str());
-  reader->Update();
-  messages->Expect(file, words);
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << file;
-  EXPECT_NE(reader->GetErrorCode(), vtkErrorCode::NoError) << file;
 }
 
 } // namespace

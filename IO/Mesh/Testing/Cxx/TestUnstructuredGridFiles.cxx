@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Unstructured grids: what of them becomes a mesh, with which values, and what is refused.
 
-#include "InkTestMessages.h"
+#include "MeshTestReading.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
-#include "vtkExecutive.h"
 #include "vtkIdList.h"
 #include "vtkInkMeshReader.h"
 #include "vtkNew.h"
@@ -28,6 +27,8 @@
 #include <functional>
 #include <string>
 #include <vector>
+
+using MeshTestReading::ExpectError;
 
 namespace
 {
@@ -176,18 +177,6 @@ struct VtkMayLeak
 };
 
 constexpr const char* FourFaces = "4 3 0 2 1 3 0 1 3 3 1 2 3 3 0 3 2";
-
-void ExpectRefused(const std::vector<std::string>& words, const std::string& file)
-{
-  vtkNew<vtkInkMeshReader> reader;
-  vtkNew<InkTestMessages> messages;
-  messages->Observe(reader);
-  messages->Observe(reader->GetExecutive());
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  messages->Expect(file, words);
-  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0) << file;
-}
 
 } // namespace
 
@@ -363,17 +352,17 @@ TEST(UnstructuredGridFiles, WhatIsNotSoundIsRefused)
   {
     GridText grid;
     grid.*fault.part = fault.text;
-    ExpectRefused({ fault.expected }, grid.Put("Fault" + std::to_string(++number)));
+    ExpectError({ fault.expected }, grid.Put("Fault" + std::to_string(++number)));
   }
   // The values of cells.
   GridText values;
   values.values = "<CellData>" + GridText::Array("n", "") + "</CellData>";
-  ExpectRefused({ "its array 'n' has fewer values than it should" }, values.Put("Values"));
+  ExpectError({ "its array 'n' has fewer values than it should" }, values.Put("Values"));
   GridText rising;
   rising.cells = "2";
   rising.types = "10 10";
   rising.offsets = "4 3";
-  ExpectRefused({ "not monotonically increasing" }, rising.Put("Rising"));
+  ExpectError({ "not monotonically increasing" }, rising.Put("Rising"));
 }
 
 TEST(UnstructuredGridFiles, FacesThatAreNotSoundAreRefused)
@@ -399,7 +388,7 @@ TEST(UnstructuredGridFiles, FacesThatAreNotSoundAreRefused)
          { FourFaces, "3000000000", "its cells say that they have 3e+09 faces" },
          { FourFaces, "-1", "cell 0, a polyhedron, has no faces" } })
   {
-    ExpectRefused({ fault.expected },
+    ExpectError({ fault.expected },
       GridText::Polyhedron(fault.faces, fault.ends).Put("Faces" + std::to_string(++number)));
   }
 }

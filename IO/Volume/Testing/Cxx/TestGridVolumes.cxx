@@ -105,17 +105,6 @@ vtkSmartPointer<vtkStructuredGrid> Structured()
   return grid;
 }
 
-template <class Writer>
-std::string WriteGrid(const std::string& name, vtkDataSet* grid, const auto& change)
-{
-  vtkNew<Writer> writer;
-  writer->SetFileName(name.c_str());
-  writer->SetInputData(grid);
-  change(writer.Get());
-  writer->Write();
-  return name;
-}
-
 void ExpectLinear(vtkInkVolumeReader* reader, double scale, const std::string& file)
 {
   vtkImageData* image = reader->GetOutput();
@@ -157,9 +146,9 @@ TEST(GridVolumes, RectilinearGridsAreResampled)
   {
     const auto grid = Rectilinear(ofCells);
     const std::string name = ofCells ? "GridVolumesOfCells" : "GridVolumesRectilinear";
-    for (const std::string& file : { WriteGrid<vtkXMLRectilinearGridWriter>(name + ".vtr", grid, nothing),
-           WriteGrid<vtkRectilinearGridWriter>(name + ".vtk", grid, binary),
-           WriteGrid<vtkRectilinearGridWriter>(name + "Text.vtk", grid, text) })
+    for (const std::string& file : { Write<vtkXMLRectilinearGridWriter>(name + ".vtr", grid, nothing),
+           Write<vtkRectilinearGridWriter>(name + ".vtk", grid, binary),
+           Write<vtkRectilinearGridWriter>(name + "Text.vtk", grid, text) })
     {
       const auto reader = UpdatedReaderOf(file);
       EXPECT_NE(std::string(reader->GetFormat()).find("rectilinear grid"), std::string::npos) << file;
@@ -179,9 +168,9 @@ TEST(GridVolumes, StructuredGridsAreResampled)
 {
   const auto grid = Structured();
   for (const std::string& file :
-    { WriteGrid<vtkXMLStructuredGridWriter>("GridVolumesStructured.vts", grid, nothing),
-      WriteGrid<vtkStructuredGridWriter>("GridVolumesStructured.vtk", grid, binary),
-      WriteGrid<vtkStructuredGridWriter>("GridVolumesStructuredText.vtk", grid, text) })
+    { Write<vtkXMLStructuredGridWriter>("GridVolumesStructured.vts", grid, nothing),
+      Write<vtkStructuredGridWriter>("GridVolumesStructured.vtk", grid, binary),
+      Write<vtkStructuredGridWriter>("GridVolumesStructuredText.vtk", grid, text) })
   {
     const auto reader = UpdatedReaderOf(file);
     EXPECT_NE(std::string(reader->GetFormat()).find("structured grid"), std::string::npos) << file;
@@ -205,9 +194,9 @@ TEST(GridVolumes, WhatIsHiddenHasNoValueInAnyFormat)
     }
     const std::string name = ofCells ? "GridVolumesHiddenCell" : "GridVolumesHiddenPoint";
     std::vector<vtkIdType> hidden;
-    for (const std::string& file : { WriteGrid<vtkXMLStructuredGridWriter>(name + ".vts", grid, nothing),
-           WriteGrid<vtkStructuredGridWriter>(name + ".vtk", grid, binary),
-           WriteGrid<vtkStructuredGridWriter>(name + "Text.vtk", grid, text) })
+    for (const std::string& file : { Write<vtkXMLStructuredGridWriter>(name + ".vts", grid, nothing),
+           Write<vtkStructuredGridWriter>(name + ".vtk", grid, binary),
+           Write<vtkStructuredGridWriter>(name + "Text.vtk", grid, text) })
     {
       const auto reader = UpdatedReaderOf(file);
       vtkDataArray* values = reader->GetOutput()->GetPointData()->GetScalars();
@@ -219,7 +208,7 @@ TEST(GridVolumes, WhatIsHiddenHasNoValueInAnyFormat)
       }
     }
     const auto whole =
-      UpdatedReaderOf(WriteGrid<vtkXMLStructuredGridWriter>(name + "Whole.vts", Structured(), nothing));
+      UpdatedReaderOf(Write<vtkXMLStructuredGridWriter>(name + "Whole.vts", Structured(), nothing));
     vtkDataArray* all = whole->GetOutput()->GetPointData()->GetScalars();
     vtkIdType outside = 0;
     for (vtkIdType i = 0; i < all->GetNumberOfTuples(); ++i)
@@ -249,9 +238,8 @@ TEST(GridVolumes, EvenPointsAreThoseOfAnImage)
   grid->SetYCoordinates(coordinates(Size[1], 2.0));
   grid->SetZCoordinates(coordinates(Size[2], 0.5));
   grid->GetPointData()->AddArray(Volume(3)->GetPointData()->GetScalars());
-  for (const std::string& file :
-    { WriteGrid<vtkXMLRectilinearGridWriter>("GridVolumesEven.vtr", grid, nothing),
-      WriteGrid<vtkRectilinearGridWriter>("GridVolumesEven.vtk", grid, binary) })
+  for (const std::string& file : { Write<vtkXMLRectilinearGridWriter>("GridVolumesEven.vtr", grid, nothing),
+         Write<vtkRectilinearGridWriter>("GridVolumesEven.vtk", grid, binary) })
   {
     const auto reader = UpdatedReaderOf(file);
     EXPECT_EQ(reader->GetOutput()->GetScalarType(), VTK_SHORT) << file;
@@ -300,14 +288,12 @@ TEST(GridVolumes, WhatIsBrokenIsRefused)
     { "unstructured_grid", "STRUCTURED_GRID" });
   const auto flat = Structured();
   flat->SetDimensions(5, 12, 1);
-  ExpectRefused(WriteGrid<vtkXMLStructuredGridWriter>("GridVolumesFlat.vts", flat, nothing),
+  ExpectRefused(Write<vtkXMLStructuredGridWriter>("GridVolumesFlat.vts", flat, nothing),
     { "5 x 12 x 1 points", "expected 2 or more" });
   const auto bare = Rectilinear(true);
   bare->GetCellData()->Initialize();
-  ExpectRefused(
-    WriteGrid<vtkXMLRectilinearGridWriter>("GridVolumesBare.vtr", bare, nothing), { "no values" });
-  const std::string whole =
-    WriteGrid<vtkXMLStructuredGridWriter>("GridVolumesWhole.vts", Structured(), nothing);
+  ExpectRefused(Write<vtkXMLRectilinearGridWriter>("GridVolumesBare.vtr", bare, nothing), { "no values" });
+  const std::string whole = Write<vtkXMLStructuredGridWriter>("GridVolumesWhole.vts", Structured(), nothing);
   const std::string cut = "GridVolumesCut.vts";
   std::string xml = ink::io::contentsOf(whole);
   xml.replace(xml.find("WholeExtent=\"0 4"), 16, "WholeExtent=\"0 400000");

@@ -127,11 +127,11 @@ inline std::string CutShort(const std::string& file, const std::string& name, st
 }
 
 template <class Writer>
-std::string Write(const std::string& name, vtkImageData* image, const auto& change)
+std::string Write(const std::string& name, vtkDataObject* data, const auto& change)
 {
   vtkNew<Writer> writer;
   writer->SetFileName(name.c_str());
-  writer->SetInputData(image);
+  writer->SetInputData(data);
   change(writer.Get());
   writer->Write();
   return name;
