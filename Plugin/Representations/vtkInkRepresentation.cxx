@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkRepresentation.h"
 
+#include "InkParameter.h"
+#include "vtkInkCoarseImage.h"
 #include "vtkInkPaper.h"
 #include "vtkInkProcesses.h"
 
@@ -20,8 +22,12 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace
@@ -29,6 +35,9 @@ namespace
 
 /// The field array that points carry whose ids are those of the input.
 constexpr const char* IdsAreInputs = "InkIdsAreInputs";
+
+/// Surfaces of so many voxels are made and drawn in less than a second.
+constexpr vtkIdType MostPointsOfPreview = 6000000;
 
 /// Whether there are points on any process, of several. To be called by all of them at once.
 bool HasPoints(vtkDataObject* piece)
@@ -39,6 +48,49 @@ bool HasPoints(vtkDataObject* piece)
   controller->AllReduce(&own, &most, 1, vtkCommunicator::MAX_OP);
   return most > 0;
 }
+
+/// While marks are made of a coarse image: those of a smaller picture, of cells that are not subdivided, and
+/// as smooth in the world as of all points.
+class CoarseSettings
+{
+public:
+  CoarseSettings(vtkInkStyle* style, vtkImageData* image, vtkImageData* coarse)
+    : Style(style)
+    , PictureSize(style->GetPictureSize())
+  {
+    const double fewer = std::cbrt(
+      static_cast<double>(coarse->GetNumberOfPoints()) / static_cast<double>(image->GetNumberOfPoints()));
+    style->SetPictureSize(std::min(fewer, 0.5) * this->PictureSize);
+    this->Change("Subdivision", [](double) { return 1.0; });
+    this->Change("Smoothing", [=](double voxels) { return voxels > 0.0 ? fewer * voxels : voxels; });
+  }
+  ~CoarseSettings()
+  {
+    this->Style->SetPictureSize(this->PictureSize);
+    for (const auto& [name, value] : this->Before)
+    {
+      this->Style->SetParameter(name, value);
+    }
+  }
+  CoarseSettings(const CoarseSettings&) = delete;
+  CoarseSettings& operator=(const CoarseSettings&) = delete;
+
+private:
+  template <class Coarser>
+  void Change(const char* name, const Coarser& coarser)
+  {
+    if (this->Style->GetParameterTable().Find(name))
+    {
+      const double value = this->Style->GetParameter(name);
+      this->Before.emplace_back(name, value);
+      this->Style->SetParameter(name, coarser(value));
+    }
+  }
+
+  vtkInkStyle* const Style;
+  const double PictureSize;
+  std::vector<std::pair<const char*, double>> Before;
+};
 
 } // namespace
 
@@ -84,6 +136,13 @@ int vtkInkRepresentation::RequestData(
     {
       part->Set(SDDP::UPDATE_TIME_STEP(), info->Get(SDDP::UPDATE_TIME_STEP()));
     }
+  }
+  std::optional<CoarseSettings> settings;
+  if (auto* image = this->Preview ? vtkImageData::SafeDownCast(input.Data) : nullptr;
+      image && vtkInkProcesses().GetNumber() == 1)
+  {
+    this->TakeCoarse(input, image);
+    settings.emplace(this->Style, image, vtkImageData::SafeDownCast(input.Data));
   }
   // An earlier run may have been stopped.
   this->SetAbortExecute(0);
@@ -284,6 +343,28 @@ void vtkInkRepresentation::SetMagnification(double magnification)
   this->Magnification = magnification;
   this->ChangeStyle(
     [=](vtkInkStyle* style) { style->SetPictureSize(magnification * style->GetPictureHeight()); });
+}
+
+void vtkInkRepresentation::SetPreview(bool preview)
+{
+  this->Preview = preview;
+  if (!preview && this->Coarse)
+  {
+    this->Coarse = nullptr;
+    this->MarkModified();
+  }
+}
+
+void vtkInkRepresentation::TakeCoarse(vtkInkStyle::Input& input, vtkImageData* image)
+{
+  if (!this->Coarse || this->CoarseTime != image->GetMTime())
+  {
+    this->Coarse = vtkSmartPointer<vtkTrivialProducer>::New();
+    this->Coarse->SetOutput(vtkInkCoarseImage(image, MostPointsOfPreview));
+    this->CoarseTime = image->GetMTime();
+  }
+  input.Data = this->Coarse->GetOutputDataObject(0);
+  input.Port = this->Coarse->GetOutputPort();
 }
 
 vtkBoundingBox vtkInkRepresentation::ToWorld(const vtkBoundingBox& box)

@@ -28,9 +28,11 @@
 #include <utility> // for the array to color by
 #include <vector>  // for the pieces
 
+class vtkImageData;
 class vtkInkPaper;
 class vtkPolyData;
 class vtkScalarsToColors;
+class vtkTrivialProducer;
 
 class VTKINKPLUGINREPRESENTATIONS_EXPORT vtkInkRepresentation : public vtkPVDataRepresentation
 {
@@ -102,6 +104,10 @@ public:
    * marks for a picture that is so much larger, as far as it makes others then. Default: 1.
    */
   virtual void SetMagnification(double magnification);
+
+  /// While this is on, the marks of images of many points are made of fewer of these (vtkInkCoarseImage.h),
+  /// for a smaller picture, if one process has all; of all when it is switched off. Default: off.
+  void SetPreview(bool preview);
 
   /// A valid box around data, where the actor is in the world.
   vtkBoundingBox ToWorld(const vtkBoundingBox& box);
@@ -179,6 +185,8 @@ private:
   bool DrawsOnThisProcess();
   void UpdatePickable();
   bool LacksColors();
+  /// Has marks be made of fewer points of the input's image.
+  void TakeCoarse(vtkInkStyle::Input& input, vtkImageData* image);
   void ReportProgress();
 
   const vtkSmartPointer<vtkInkStyle> Style;
@@ -187,6 +195,9 @@ private:
   /// The array to color by and its association when marks were made last.
   std::pair<std::string, int> MadeColors;
   Choice IsoValue;
+  bool Preview = false;
+  vtkSmartPointer<vtkTrivialProducer> Coarse; ///< of what marks are made in place of the input; null: of that
+  vtkMTimeType CoarseTime = 0;                ///< when the input had changed last
   double Magnification = 1.0;
   int TimesMade = 0;
   bool Pickable = true;

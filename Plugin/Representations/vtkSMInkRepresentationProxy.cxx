@@ -61,9 +61,24 @@ void vtkSMInkRepresentationProxy::Listen(vtkSMProxy* view)
   }
 }
 
+template <class Value>
+void vtkSMInkRepresentationProxy::Send(const char* method, Value value)
+{
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << method << value << vtkClientServerStream::End;
+  this->ExecuteStream(stream);
+}
+
+void vtkSMInkRepresentationProxy::SetPreview(bool preview)
+{
+  this->Send("SetPreview", static_cast<int>(preview));
+  // The view brings what it shows up to date then.
+  this->MarkDirty(this);
+}
+
 void vtkSMInkRepresentationProxy::StartPicture(vtkObject*, unsigned long, void* interactive)
 {
-  this->SendTransparentBackground();
+  this->Send("SetTransparentBackground", static_cast<int>(vtkSMViewProxy::GetTransparentBackground()));
   if (!IsInteractive(interactive))
   {
     this->FollowView();
@@ -77,14 +92,6 @@ void vtkSMInkRepresentationProxy::EndPicture(vtkObject* view, unsigned long, voi
   {
     vtkSMViewProxy::SafeDownCast(view)->StillRender();
   }
-}
-
-void vtkSMInkRepresentationProxy::SendTransparentBackground()
-{
-  vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetTransparentBackground"
-         << static_cast<int>(vtkSMViewProxy::GetTransparentBackground()) << vtkClientServerStream::End;
-  this->ExecuteStream(stream);
 }
 
 double vtkSMInkRepresentationProxy::FindMagnification()
@@ -114,10 +121,7 @@ bool vtkSMInkRepresentationProxy::FollowView()
     return false;
   }
   this->Step = step;
-  vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(this) << "SetMagnification" << std::exp2(step)
-         << vtkClientServerStream::End;
-  this->ExecuteStream(stream);
+  this->Send("SetMagnification", std::exp2(step));
   // The view brings what it shows up to date then.
   this->MarkDirty(this);
   return true;

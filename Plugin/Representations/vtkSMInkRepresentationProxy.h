@@ -28,6 +28,9 @@ public:
 
   void AddConsumer(vtkSMProperty* property, vtkSMProxy* consumer) override;
 
+  /// See vtkInkRepresentation. No property: no state, trace or undo holds it.
+  void SetPreview(bool preview);
+
 protected:
   vtkSMInkRepresentationProxy();
   ~vtkSMInkRepresentationProxy() override;
@@ -37,9 +40,11 @@ private:
   void operator=(const vtkSMInkRepresentationProxy&) = delete;
 
   void Listen(vtkSMProxy* view);
+  /// Calls a method of vtkInkRepresentation on all processes.
+  template <class Value>
+  void Send(const char* method, Value value);
   void StartPicture(vtkObject* view, unsigned long event, void* interactive);
   void EndPicture(vtkObject* view, unsigned long event, void* interactive);
-  void SendTransparentBackground();
   /// Of the data, see vtkInkMagnification.h; 0: not known.
   double FindMagnification();
   /// Sends the step of the magnification. @return whether it is another one

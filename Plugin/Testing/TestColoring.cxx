@@ -1,37 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a person changes who edits the solid color: of our representations the ink's, of others ParaView's. In
 // widgets of ParaView's client, with the plugin that PV_PLUGIN_PATH holds.
-#include "pqActiveObjects.h"
-#include "pqApplicationCore.h"
+#include "ClientTest.h"
+
 #include "pqColorToolbar.h"
-#include "pqDataRepresentation.h"
 #include "pqDefaultContextMenu.h"
 #include "pqEditColorMapReaction.h"
-#include "pqInterfaceTracker.h"
-#include "pqObjectBuilder.h"
-#include "pqPVApplicationCore.h"
-#include "pqPipelineSource.h"
 #include "pqProxyWidget.h"
-#include "pqServerResource.h"
-#include "pqStandardPropertyWidgetInterface.h"
-#include "pqUndoRedoBehavior.h"
-#include "pqUndoStack.h"
-#include "pqView.h"
 
 #include "vtkDataObject.h"
 #include "vtkSMPVRepresentationProxy.h"
-#include "vtkSMPropertyHelper.h"
 
-#include <QApplication>
 #include <QColorDialog>
-#include <QMainWindow>
 #include <QMenu>
 #include <QPushButton>
 #include <QTimer>
 
 #include <algorithm>
 #include <functional>
-#include <iostream>
 #include <map>
 #include <optional>
 #include <string>
@@ -75,28 +61,16 @@ std::optional<QColor> Pick(const QColor& color, const std::function<void()>& ope
   return shown;
 }
 
-class TestColoring
+class TestColoring : public ClientTest
 {
 public:
-  TestColoring()
+  explicit TestColoring(const std::vector<std::string>&)
+    : ClientTest([](pqObjectBuilder* builder, pqServer* server)
+        { return builder->createSource("sources", "SphereSource", server); })
   {
-    pqApplicationCore* core = pqApplicationCore::instance();
-    core->interfaceTracker()->addInterface(new pqStandardPropertyWidgetInterface(core->interfaceTracker()));
-    core->interfaceTracker()->addInterface(new pqDefaultContextMenu(core->interfaceTracker()));
-    new pqUndoRedoBehavior(core);
+    pqInterfaceTracker* tracker = pqApplicationCore::instance()->interfaceTracker();
+    tracker->addInterface(new pqDefaultContextMenu(tracker));
     this->Window.addToolBar(new pqColorToolbar(&this->Window));
-    this->Window.show();
-
-    pqObjectBuilder* builder = core->getObjectBuilder();
-    pqServer* server = builder->createServer(pqServerResource("builtin:"));
-    pqPipelineSource* source = builder->createSource("sources", "SphereSource", server);
-    source->updatePipeline();
-    this->View = builder->createView("RenderView", server);
-    this->Representation = builder->createDataRepresentation(source->getOutputPort(0), this->View);
-    this->Display = this->Representation->getProxy();
-    pqActiveObjects::instance().setActiveServer(server);
-    pqActiveObjects::instance().setActiveView(this->View);
-    pqActiveObjects::instance().setActiveSource(source);
   }
 
   bool Run()
@@ -128,7 +102,7 @@ private:
     const std::vector<std::string>& properties, const std::string& undo)
   {
     this->Show(style);
-    pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack();
+    pqUndoStack* stack = GetUndoStack();
     for (const QColor color : { Qt::red, Qt::blue })
     {
       const Colors before = ColorsOf(this->Display);
@@ -152,7 +126,7 @@ private:
 
   void TestCancel(const std::function<void()>& edit)
   {
-    pqUndoStack* stack = pqApplicationCore::instance()->getUndoStack();
+    pqUndoStack* stack = GetUndoStack();
     stack->clear();
     const Colors before = ColorsOf(this->Display);
     this->Check(Pick(QColor(), edit).has_value(), "a dialog to cancel");
@@ -194,43 +168,16 @@ private:
     }
   }
 
-  void Show(const char* style)
-  {
-    vtkSMPropertyHelper(this->Display, "Representation").Set(style);
-    this->Display->UpdateVTKObjects();
-  }
-
   void ColorByArray(bool byArray)
   {
     vtkSMPVRepresentationProxy::SetScalarColoring(
       this->Display, byArray ? "Normals" : nullptr, vtkDataObject::POINT);
   }
-
-  bool Check(bool right, const std::string& what)
-  {
-    std::cout << (right ? "right: " : "WRONG: ") << what << "\n";
-    this->Right = this->Right && right;
-    return right;
-  }
-
-  QMainWindow Window;
-  pqView* View;
-  pqDataRepresentation* Representation;
-  vtkSMProxy* Display;
-  bool Right = true;
 };
 
 } // namespace
 
 int main(int argc, char* argv[])
 {
-  QApplication application(argc, argv);
-  // The person's own settings are left alone.
-  std::string withoutSettings = "--dr";
-  std::vector<char*> arguments(argv, argv + argc);
-  arguments.push_back(withoutSettings.data());
-  int count = static_cast<int>(arguments.size());
-  arguments.push_back(nullptr);
-  pqPVApplicationCore core(count, arguments.data());
-  return TestColoring().Run() ? 0 : 1;
+  return ClientTest::Run<TestColoring>(argc, argv);
 }
