@@ -9,14 +9,19 @@
 #include "pqProxyWidget.h"
 
 #include "vtkObjectBase.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
 #include "vtkSMProperty.h"
 #include "vtkSMTrace.h"
+#include "vtkSMViewProxy.h"
 
 #include <QElapsedTimer>
 #include <QSlider>
 #include <QStringList>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -101,6 +106,15 @@ private:
     return { NumberAfter(text.str(), "Points drawn: "), NumberAfter(text.str(), "Times made: ") };
   }
 
+  /// Of all that is drawn.
+  std::array<double, 6> GetBounds()
+  {
+    std::array<double, 6> bounds;
+    auto* view = vtkPVRenderView::SafeDownCast(this->View->getViewProxy()->GetClientSideObject());
+    view->GetRenderer()->ComputeVisiblePropBounds(bounds.data());
+    return bounds;
+  }
+
   /// A panel of the representation, and one of its sliders.
   struct Panel
   {
@@ -165,6 +179,7 @@ private:
     panel.Slider->setValue(position + 7);
     QApplication::processEvents();
     const Made coarse = this->GetMade();
+    const std::array coarseBounds = this->GetBounds();
     this->Check(coarse.Times == before.Times + 2, "the last of several values is followed, once");
     panel.Slider->setSliderDown(false);
     this->Wait();
@@ -174,6 +189,15 @@ private:
     this->Check(whole.Times == coarse.Times + 1, "and is drawn once more");
     this->Check(coarse.Points > 0 && coarse.Points < 0.6 * whole.Points,
       "of more points: " + std::to_string(whole.Points) + ", not " + std::to_string(coarse.Points));
+
+    const std::array wholeBounds = this->GetBounds();
+    double moved = 0.0;
+    for (std::size_t i = 0; i < 6; ++i)
+    {
+      moved = std::max(moved, std::abs(wholeBounds[i] - coarseBounds[i]));
+    }
+    this->Check(
+      moved <= 2.0, "of which none were farther away than a coarse voxel: " + std::to_string(moved));
 
     this->Check(GetUndoStack()->canUndo(), "it can be undone");
     GetUndoStack()->undo();
