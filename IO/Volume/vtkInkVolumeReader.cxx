@@ -56,8 +56,9 @@ constexpr Format formats[] = { { ".nii", io::readNiftiHeader }, { ".nii.gz", io:
   { ".ccp4", io::readMrcHeader }, { ".ccp4.gz", io::readMrcHeader }, { ".vti", nullptr },
   { ".vtr", nullptr, true }, { ".vts", nullptr, true }, { ".vtk", io::readLegacyHeader },
   { ".mgh", io::readMghHeader }, { ".mgz", io::readMghHeader }, { ".npy", io::readNpyHeader },
-  { ".slc", io::readSlcHeader }, { ".cube", io::readCubeHeader }, { ".tif", io::readTiffHeader },
-  { ".tiff", io::readTiffHeader }, { ".dcm", io::readDicomHeaders } };
+  { ".raw", io::readNamedRawHeader }, { ".raw.gz", io::readNamedRawHeader }, { ".slc", io::readSlcHeader },
+  { ".cube", io::readCubeHeader }, { ".tif", io::readTiffHeader }, { ".tiff", io::readTiffHeader },
+  { ".dcm", io::readDicomHeaders } };
 constexpr Format dicom{ "", io::readDicomHeaders };
 
 std::string Text(const char* characters)
@@ -82,58 +83,6 @@ const Format& FormatOf(const fs::path& file)
   io::failToRead(file,
     "unknown type '" + io::suffixOf(file) + "'; expected one of " + vtkInkVolumeReader::GetFileExtensions() +
       ", a folder of DICOM or TIFF files, or any file with Raw");
-}
-
-/// Whether values of a type of VTK's have bytes of their own and can be computed with: bits and strings not.
-bool IsNumber(int type)
-{
-  switch (type)
-  {
-    vtkTemplateMacro(return std::is_arithmetic_v<VTK_TT>);
-    default:
-      return false;
-  }
-}
-
-/// How the voxels of a file without a header lie. @throws ink::io::ReadError if it has not as many bytes
-io::VolumeHeader RawHeader(const fs::path& file, const int dimensions[3], int type, bool bigEndian)
-{
-  io::VolumeHeader header;
-  header.format = "raw volume";
-  header.voxels.files = { file };
-  std::copy_n(dimensions, 3, header.voxels.dimensions);
-  header.voxels.type = type;
-  if (!IsNumber(type))
-  {
-    io::failToRead(file,
-      "RawScalarType is " + std::to_string(type) +
-        "; expected integers of 8 to 64 bits, float or double, as VTK_UNSIGNED_CHAR");
-  }
-  if (std::any_of(dimensions, dimensions + 3, [](int dimension) { return dimension < 1; }))
-  {
-    io::failToRead(
-      file, "RawDimensions are " + ink::formatDimensions(dimensions) + "; expected numbers of 1 or more");
-  }
-  header.voxels.setBigEndian(bigEndian);
-  // In double first, in which nothing overflows.
-  const double bytes =
-    static_cast<double>(header.voxels.valueSize()) * dimensions[0] * dimensions[1] * dimensions[2];
-  constexpr double mostBytes = 0x1p63;
-  const std::uint64_t found = fs::file_size(file);
-  const bool fits = bytes < mostBytes && found == header.voxels.fileBytes();
-  if (!fits && bytes < mostBytes && io::FirstBytes(file, 1).compressed)
-  {
-    header.format = "compressed raw volume";
-    header.voxels.encoding = io::VoxelEncoding::Compressed;
-  }
-  else if (!fits)
-  {
-    io::failToRead(file,
-      "it has " + std::to_string(found) + " bytes, but " + ink::formatDimensions(dimensions) + " " +
-        vtkImageScalarTypeNameMacro(type) + " needs " +
-        (bytes < mostBytes ? std::to_string(header.voxels.fileBytes()) : ink::formatNumber(bytes)));
-  }
-  return header;
 }
 
 /// As a term of the stored value v.
@@ -416,7 +365,7 @@ int vtkInkVolumeReader::RequestInformation(
     io::checkExists(file);
     std::unique_ptr<Source> source = this->Raw
       ? std::make_unique<Source>(
-          RawHeader(file, this->RawDimensions, this->RawScalarType, this->RawBigEndian), file)
+          io::rawHeader(file, this->RawDimensions, this->RawScalarType, this->RawBigEndian), file)
       : Source::Open(file);
     source->Announce(info, this->MakeProgress());
     double spacing[3];

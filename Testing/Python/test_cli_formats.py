@@ -238,6 +238,14 @@ def test_raw_files_of_every_type(name, order, tmp_path, picture, half):
     assert difference(drawn, half) < 0.001
 
 
+def test_raw_files_whose_names_say_what_is_in_them(ink, tmp_path, half):
+    path = tmp_path / "blob_32x32x32_uint8.raw"
+    path.write_bytes((BLOB // 2).tobytes())
+    result = ink("render", path, "--iso", 50, *OPTIONS, "--size", "200x200", "-o", tmp_path / "b.png")
+    assert result.code == 0 and "from its name: 32 x 32 x 32 uint8" in result.err, result
+    assert difference(ink_files.read_png(tmp_path / "b.png"), half) < 0.001
+
+
 def test_raw_spacing(ink, tmp_path):
     (tmp_path / "blob.raw").write_bytes(BLOB.tobytes())
     result = ink("info", tmp_path / "blob.raw", "--raw", "32x32x32:uint8", "--spacing", "0.5,1,2")

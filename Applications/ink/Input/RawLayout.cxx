@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Errors.h"
 #include "Input.h"
+#include "NumberTypes.h"
 #include "Pattern.h"
 
-#include "vtkType.h"
-
 #include <map>
+#include <string>
+#include <vector>
 
 namespace ink::cli
 {
-namespace
-{
-
-const std::map<std::string, int>& rawTypes()
-{
-  static const std::map<std::string, int> types{ { "int8", VTK_SIGNED_CHAR }, { "uint8", VTK_UNSIGNED_CHAR },
-    { "int16", VTK_SHORT }, { "uint16", VTK_UNSIGNED_SHORT }, { "int32", VTK_INT },
-    { "uint32", VTK_UNSIGNED_INT }, { "int64", VTK_LONG_LONG }, { "uint64", VTK_UNSIGNED_LONG_LONG },
-    { "float32", VTK_FLOAT }, { "float64", VTK_DOUBLE } };
-  return types;
-}
-
-} // namespace
 
 RawLayout RawLayout::parse(const std::string& layout)
 {
@@ -31,11 +19,12 @@ RawLayout RawLayout::parse(const std::string& layout)
   {
     throw UsageError("--raw '" + layout + "': expected WxHxD:type, as 256x256x128:uint8");
   }
-  const auto type = rawTypes().find(match[4]);
-  if (type == rawTypes().end())
+  const std::map<std::string, int>& types = io::numberTypes();
+  const auto type = types.find(match[4]);
+  if (type == types.end())
   {
     std::string names;
-    for (const auto& [name, id] : rawTypes())
+    for (const auto& [name, id] : types)
     {
       names += " " + name;
     }

@@ -56,6 +56,10 @@ std::optional<std::filesystem::path> findOtherOfPair(const std::filesystem::path
 VolumeHeader readNpyHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
+/// Of a file without a header, of voxels of a type of VTK's, x fastest.
+VolumeHeader rawHeader(const std::filesystem::path& file, const int dimensions[3], int type, bool bigEndian);
+/// Of one whose name says its dimensions and type, as skull_256x256x256_uint8.raw, little endian.
+VolumeHeader readNamedRawHeader(const std::filesystem::path& file);
 /// Of VolVis' volumes.
 VolumeHeader readSlcHeader(const std::filesystem::path& file);
 /// Of the pages of a TIFF file, or of the TIFF files of a folder, each of which is a slice.
