@@ -4,7 +4,7 @@
 # The test TestLabels fails where a test has no label.
 set(_ink_test_labels
   "curvature:Curvature|SurfaceRings|JetFit|ExponentialMap"
-  "fields:UnitOrZero|ActiveScalars|CellCenters|ImageOfGrid|AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Crop|Laplacian|NormalMethods|ResampleGrid|SampleBox|SliceDistances|VdbField"
+  "fields:UnitOrZero|ActiveScalars|CellCenters|ImageOfGrid|Subsample|AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Crop|Laplacian|NormalMethods|ResampleGrid|SampleBox|SliceDistances|VdbField"
   "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components|Extent)|CutSamples|LabelBorders|IsoThreshold|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
   "sampling:KdTree|CoincidentPoints|ImageSlabs|MemoryBudget|DiscSamples|SampleGroups|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder|FeatureNormals"
   "stippling:Stippl|QuantizedPosition"
@@ -14,7 +14,7 @@ set(_ink_test_labels
   "streamlines:Streamline|LineSampleGrid|CrossField|AlignedLineField|CombDirections|PointGroups|SolidMesh|LongestBorder|BorderEdges|WeldedTriangles|SeenTriangles|TrianglesWithin|FlatDirections|FormDirections|CurvedMesh|FeatureSplit|InsideOut|MeshNavigation|RepeatedTriangles|LinesOfCurvature"
   "contours:Contours|EdgeOffsets|GridBorder|ChainSegments|CoherentDashes|ClusterPlanes|LargePages|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
-  "statistics:IsoValue|IsoBoundaries|OtsuThreshold|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|KeepRange|CoveredSides|FilledBox|SliceCounter|SmoothedSlices"
+  "statistics:IsoValue|IsoBoundaries|OtsuThreshold|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|KeepRange|CoveredSides|FilledBox|SliceCounter|SmoothedSlices|RepeatedSamples"
   "vdb:Vdb|VDB|vdb"
   "reading:DidYouMean|FormatNumber|FuzzCorpus|^IO(Core|Mesh|Volume)"
   "styles:^Styles"

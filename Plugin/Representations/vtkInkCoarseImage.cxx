@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkCoarseImage.h"
 
-#include "vtkArrayDispatch.h"
+#include "InkSubsample.h"
+
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkImageData.h"
-#include "vtkPointData.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <array>
@@ -51,38 +48,6 @@ std::array<int, 3> FindStrides(vtkImageData* image, vtkIdType mostPoints)
   return strides;
 }
 
-/// Copies what stands at every so many-th point; on all threads, where vtkExtractVOI takes a second.
-struct TakePoints
-{
-  const int* Points;
-  const std::array<int, 3>& Taken;
-  const std::array<int, 3>& Strides;
-
-  template <class Array>
-  void operator()(Array* from, vtkDataArray* to) const
-  {
-    const auto source = vtk::DataArrayTupleRange(from);
-    auto target = vtk::DataArrayTupleRange(Array::FastDownCast(to));
-    const auto takeSlices = [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType z = begin; z < end; ++z)
-      {
-        for (vtkIdType y = 0; y < this->Taken[1]; ++y)
-        {
-          const vtkIdType row =
-            (z * this->Strides[2] * this->Points[1] + y * this->Strides[1]) * this->Points[0];
-          const vtkIdType targetRow = (z * this->Taken[1] + y) * this->Taken[0];
-          for (vtkIdType x = 0; x < this->Taken[0]; ++x)
-          {
-            target[targetRow + x] = source[row + x * this->Strides[0]];
-          }
-        }
-      }
-    };
-    vtkSMPTools::For(0, this->Taken[2], takeSlices);
-  }
-};
-
 } // namespace
 
 vtkSmartPointer<vtkImageData> vtkInkCoarseImage(vtkImageData* image, vtkIdType mostPoints)
@@ -92,39 +57,15 @@ vtkSmartPointer<vtkImageData> vtkInkCoarseImage(vtkImageData* image, vtkIdType m
   {
     return image;
   }
+  std::array<InkSubsampledAxis, 3> axes;
   const std::array taken = CountPoints(image, strides);
-  const double* spacing = image->GetSpacing();
-  const int* extent = image->GetExtent();
-  double origin[3];
-  image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], origin);
-  auto coarse = vtkSmartPointer<vtkImageData>::New();
-  coarse->SetDimensions(taken.data());
-  coarse->SetSpacing(spacing[0] * strides[0], spacing[1] * strides[1], spacing[2] * strides[2]);
-  coarse->SetOrigin(origin);
-  coarse->SetDirectionMatrix(image->GetDirectionMatrix());
-  const TakePoints take{ image->GetDimensions(), taken, strides };
-  vtkPointData* from = image->GetPointData();
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    vtkDataArray* array = from->GetArray(i);
-    if (!array)
+    axes[axis].Step = strides[axis];
+    for (int i = 0; i < taken[axis]; ++i)
     {
-      continue; // of texts
-    }
-    const auto fewer = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
-    fewer->SetName(array->GetName());
-    fewer->SetNumberOfComponents(array->GetNumberOfComponents());
-    fewer->CopyComponentNames(array);
-    fewer->SetNumberOfTuples(coarse->GetNumberOfPoints());
-    if (!vtkArrayDispatch::Dispatch::Execute(array, take, fewer.Get()))
-    {
-      take(array, fewer.Get());
-    }
-    coarse->GetPointData()->AddArray(fewer);
-    if (array == from->GetScalars())
-    {
-      coarse->GetPointData()->SetScalars(fewer);
+      axes[axis].Indices.push_back(i * strides[axis]);
     }
   }
-  return coarse;
+  return InkSubsample(image, axes);
 }

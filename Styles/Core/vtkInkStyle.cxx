@@ -9,7 +9,10 @@
 #include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkStyleProcesses.h"
+#include "InkWithoutRepeats.h"
 #include "vtkInkSurfaceSampler.h"
+
+#include "Core/FormatNumber.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -20,6 +23,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +82,7 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   }
   try
   {
-    std::string problem = this->MakePiecesOrSurfaces(input);
+    std::string problem = this->MakePiecesOrSurfaces(this->TakeRepeats(input));
     this->FramePoints = this->FramePoints ? this->FramePoints.Get() : this->GetPiece(0)->GetPoints();
     return problem;
   }
@@ -90,6 +94,41 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   {
     return std::string(this->GetLabel()) + ": " + error.what();
   }
+}
+
+vtkInkStyle::Input vtkInkStyle::TakeRepeats(const Input& input)
+{
+  auto* image = vtkImageData::SafeDownCast(input.Data);
+  const InkParameter* labels = this->GetParameterTable().Find("LabelMap");
+  if (!image || this->GetProcesses().GetNumber() > 1 || !labels ||
+    this->GetParameterAsString(labels->Name) == "off")
+  {
+    return input;
+  }
+  const std::string array = this->GetParameterAsString("Scalars");
+  if (this->Repeats.Of != image || this->Repeats.Time != image->GetMTime() || this->Repeats.Array != array)
+  {
+    this->Repeats = { image, image->GetMTime(), array, nullptr };
+    const vtkSmartPointer<vtkImageData> without = InkWithoutRepeats(image, array);
+    if (without != image)
+    {
+      this->Repeats.Source = vtkSmartPointer<vtkTrivialProducer>::New();
+      this->Repeats.Source->SetOutput(without);
+    }
+  }
+  if (!this->Repeats.Source)
+  {
+    return input;
+  }
+  auto* used = vtkImageData::SafeDownCast(this->Repeats.Source->GetOutputDataObject(0));
+  int voxels[3];
+  used->GetDimensions(voxels);
+  this->AddNote("the volume was enlarged by repeating voxels; it is drawn as the " +
+    ink::formatDimensions(voxels) + " that it was made of");
+  Input result = input;
+  result.Data = used;
+  result.Port = input.Port ? this->Repeats.Source->GetOutputPort() : nullptr;
+  return result;
 }
 
 void vtkInkStyle::Show()

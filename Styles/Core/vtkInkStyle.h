@@ -26,6 +26,7 @@
 #include "vtkObject.h"
 #include "vtkPoints.h"       // for the frame
 #include "vtkSmartPointer.h" // for the pieces
+#include "vtkWeakPointer.h"  // for the input
 
 #include <functional> // for progress and the camera
 #include <limits>     // for what marks suit
@@ -50,6 +51,7 @@ class vtkMapper;
 class vtkPoints;
 class vtkPolyData;
 class vtkScalarsToColors;
+class vtkTrivialProducer;
 struct InkLeaves;
 struct InkParameter;
 struct InkParameterTable;
@@ -380,6 +382,9 @@ private:
   bool ReportProblem(const std::string& problem);
 
   std::string TryPieces(const Input& input);
+  /// The same, but of an image in memory that was enlarged by repeating samples what it was made of
+  /// (InkWithoutRepeats), unless LabelMap is off; with a note.
+  Input TakeRepeats(const Input& input);
   void SetPicture(double& side, double pixels);
   double FindDiagonal(vtkDataObject* data);
   /// MakePieces, of points where there are surfaces in place of data.
@@ -388,6 +393,16 @@ private:
   /// Why so many points cannot be drawn; empty if they can.
   std::string FindMemoryProblem(vtkIdType points) const;
 
+  /// What TakeRepeats found last.
+  struct FoundRepeats
+  {
+    vtkWeakPointer<vtkImageData> Of;
+    vtkMTimeType Time = 0;
+    std::string Array;
+    vtkSmartPointer<vtkTrivialProducer> Source; ///< of the image to draw; null: it is that one
+  };
+
+  FoundRepeats Repeats;
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   vtkSmartPointer<vtkPoints> FramePoints;
   vtkMTimeType TimeBeforeMaking = 0;

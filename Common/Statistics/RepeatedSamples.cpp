@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/RepeatedSamples.h"
+
+#include "Core/ParallelChunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace ink
+{
+namespace
+{
+
+/// Of each sample along an axis whether the next one differs from it, anywhere in the grid.
+using Changes = std::vector<char>;
+
+constexpr std::size_t fewestBorders = 8;
+constexpr double leastShown = 0.75; ///< of the borders between blocks
+
+Changes noChanges(int samples)
+{
+  return Changes(static_cast<std::size_t>(std::max(samples - 1, 0)), 0);
+}
+
+bool isFull(const Changes& changes)
+{
+  return std::all_of(changes.begin(), changes.end(), [](char change) { return change != 0; });
+}
+
+template <class Sample>
+std::array<Changes, 3> findChanges(const Sample* samples, const std::array<int, 3>& dimensions)
+{
+  const auto [columns, rows, slices] = dimensions;
+  const auto row = [&](int y, int z)
+  { return samples + (static_cast<std::size_t>(z) * rows + static_cast<std::size_t>(y)) * columns; };
+  const std::size_t rowBytes = sizeof(Sample) * static_cast<std::size_t>(columns);
+  const auto differ = [&](const Sample* one, const Sample* other)
+  { return std::memcmp(one, other, rowBytes) != 0; };
+  constexpr std::size_t slicesPerChunk = 8;
+  const auto count = static_cast<std::size_t>(slices);
+  std::vector<std::array<Changes, 2>> parts(
+    chunksOf(count, slicesPerChunk), { noChanges(columns), noChanges(rows) });
+  std::array all{ noChanges(columns), noChanges(rows), noChanges(slices) };
+  parallelForChunks(
+    count,
+    [&](std::size_t chunk, std::size_t begin, std::size_t end)
+    {
+      auto& [alongX, alongY] = parts[chunk];
+      for (auto z = static_cast<int>(begin); z < static_cast<int>(end); ++z)
+      {
+        const bool fullX = isFull(alongX);
+        for (int y = 0; y < rows; ++y)
+        {
+          const Sample* here = row(y, z);
+          for (std::size_t x = 0; !fullX && x < alongX.size(); ++x)
+          {
+            alongX[x] |= static_cast<char>(here[x] != here[x + 1]);
+          }
+          if (y + 1 < rows && !alongY[static_cast<std::size_t>(y)])
+          {
+            alongY[static_cast<std::size_t>(y)] = static_cast<char>(differ(here, row(y + 1, z)));
+          }
+          if (z + 1 < slices && !all[2][static_cast<std::size_t>(z)])
+          {
+            all[2][static_cast<std::size_t>(z)] = static_cast<char>(differ(here, row(y, z + 1)));
+          }
+        }
+      }
+    },
+    slicesPerChunk);
+  for (const auto& part : parts)
+  {
+    for (std::size_t axis = 0; axis < 2; ++axis)
+    {
+      std::transform(part[axis].begin(), part[axis].end(), all[axis].begin(), all[axis].begin(),
+        [](char one, char other) { return static_cast<char>(one | other); });
+    }
+  }
+  return all;
+}
+
+/// The grid whose borders these are, without its count; of step 1 if it is none.
+RepeatedSamples fitBorders(const Changes& changes)
+{
+  std::vector<int> borders;
+  for (std::size_t i = 0; i < changes.size(); ++i)
+  {
+    if (changes[i])
+    {
+      borders.push_back(static_cast<int>(i));
+    }
+  }
+  if (borders.size() < fewestBorders)
+  {
+    return {};
+  }
+  std::vector<int> apart(borders.size() - 1);
+  std::transform(borders.begin() + 1, borders.end(), borders.begin(), apart.begin(), std::minus<>());
+  const int least = *std::min_element(apart.begin(), apart.end());
+  if (least < 2)
+  {
+    return {};
+  }
+  // Blocks of a grid are as long as the shortest, or one sample longer.
+  double sum = 0.0;
+  double blocks = 0.0;
+  for (const int one : apart)
+  {
+    sum += one <= least + 1 ? one : 0;
+    blocks += one <= least + 1 ? 1.0 : 0.0;
+  }
+  double step = sum / blocks;
+  // Counted with a first guess, then fitted by least squares.
+  std::vector<double> places(borders.size());
+  double offset = 0.0;
+  for (int refined = 0; refined < 2; ++refined)
+  {
+    for (std::size_t i = 0; i < apart.size(); ++i)
+    {
+      places[i + 1] = places[i] + std::round(apart[i] / step);
+    }
+    const auto count = static_cast<double>(borders.size());
+    const double meanPlace = std::accumulate(places.begin(), places.end(), 0.0) / count;
+    const double meanBorder = std::accumulate(borders.begin(), borders.end(), 0.0) / count;
+    double both = 0.0;
+    double square = 0.0;
+    for (std::size_t i = 0; i < borders.size(); ++i)
+    {
+      both += (places[i] - meanPlace) * (borders[i] - meanBorder);
+      square += (places[i] - meanPlace) * (places[i] - meanPlace);
+    }
+    step = both / square;
+    offset = meanBorder - step * meanPlace;
+  }
+  for (std::size_t i = 0; i < borders.size(); ++i)
+  {
+    if (std::abs(borders[i] - (offset + step * places[i])) > 1.0)
+    {
+      return {};
+    }
+  }
+  const bool shows = static_cast<double>(borders.size()) >= leastShown * (places.back() + 1.0);
+  // A border is half a sample behind the one that it follows, the middle half a block behind the border.
+  return shows ? RepeatedSamples{ offset + 0.5 + 0.5 * step, step, 0 } : RepeatedSamples();
+}
+
+/// Those whose middle is within the grid.
+RepeatedSamples within(RepeatedSamples repeated, int samples)
+{
+  const double before = std::floor((repeated.first + 0.5) / repeated.step);
+  repeated.first -= before * repeated.step;
+  repeated.count = static_cast<int>(std::ceil((samples - 0.5 - repeated.first) / repeated.step));
+  return repeated;
+}
+
+} // namespace
+
+std::vector<int> RepeatedSamples::indices() const
+{
+  std::vector<int> result(static_cast<std::size_t>(this->count));
+  for (int i = 0; i < this->count; ++i)
+  {
+    result[static_cast<std::size_t>(i)] =
+      std::max(static_cast<int>(std::ceil(this->first + i * this->step - 0.5)), 0);
+  }
+  return result;
+}
+
+std::array<RepeatedSamples, 3> findRepeatedSamples(
+  const void* samples, std::size_t bytesPerSample, const std::array<int, 3>& dimensions)
+{
+  const auto find = [&](auto sample)
+  {
+    const std::array changes = findChanges(static_cast<const decltype(sample)*>(samples), dimensions);
+    std::array<RepeatedSamples, 3> result;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      result[axis] = within(fitBorders(changes[axis]), dimensions[axis]);
+    }
+    return result;
+  };
+  switch (bytesPerSample)
+  {
+    case 1:
+      return find(std::uint8_t());
+    case 2:
+      return find(std::uint16_t());
+    case 4:
+      return find(std::uint32_t());
+    case 8:
+      return find(std::uint64_t());
+    default:
+      throw std::invalid_argument(
+        "findRepeatedSamples: " + std::to_string(bytesPerSample) + " bytes a sample, expected 1, 2, 4 or 8");
+  }
+}
+
+} // namespace ink

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Grids that were enlarged by repeating samples (nearest neighbor), as segmentations are that were made on a
+// coarse grid and brought to that of the scan: they show its blocks, however they are smoothed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ink
+{
+
+/// The samples of such a grid along one axis, in samples of the enlarged one.
+struct RepeatedSamples
+{
+  double first = 0.0; ///< where the middle of the first one stands; may be between samples
+  double step = 1.0;  ///< how far apart they are; 1: nothing is repeated
+  int count = 0;
+
+  /// The sample of the enlarged grid that stands next to each one's middle.
+  std::vector<int> indices() const;
+};
+
+/// Finds them: nothing changes but from one block to the next, all over the grid, and the borders between
+/// blocks are those of a regular grid, of 2 samples or more, to within one sample. Nearly all of those
+/// between the first and the last have to show, eight or more, so that what merely has flat sides is left
+/// alone.
+///
+/// @param samples x fastest, of 1, 2, 4 or 8 bytes each
+/// @throws std::invalid_argument for other sizes
+std::array<RepeatedSamples, 3> findRepeatedSamples(
+  const void* samples, std::size_t bytesPerSample, const std::array<int, 3>& dimensions);
+
+} // namespace ink

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Samples that were repeated: found by whatever factor, where they were; nothing where nothing was.
+#include "Statistics/RepeatedSamples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+namespace
+{
+
+using Size = std::array<int, 3>;
+
+template <class Sample>
+struct Grid
+{
+  Size size;
+  std::vector<Sample> samples;
+
+  Grid(const Size& dimensions)
+    : size(dimensions)
+    , samples(static_cast<std::size_t>(dimensions[0]) * dimensions[1] * dimensions[2])
+  {
+  }
+  std::size_t index(int x, int y, int z) const
+  {
+    return (static_cast<std::size_t>(z) * this->size[1] + y) * this->size[0] + x;
+  }
+  Sample& at(int x, int y, int z) { return this->samples[this->index(x, y, z)]; }
+  Sample at(int x, int y, int z) const { return this->samples[this->index(x, y, z)]; }
+  std::array<ink::RepeatedSamples, 3> find() const
+  {
+    return ink::findRepeatedSamples(this->samples.data(), sizeof(Sample), this->size);
+  }
+};
+
+/// Two labels, side by side in a ball.
+template <class Sample>
+Grid<Sample> makeBall(const Size& size)
+{
+  Grid<Sample> ball(size);
+  for (int z = 0; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      for (int x = 0; x < size[0]; ++x)
+      {
+        const auto away = [&](int index, int axis) { return (2 * index + 1.0) / size[axis] - 1.0; };
+        const double radius = std::hypot(away(x, 0), away(y, 1), away(z, 2));
+        ball.at(x, y, z) = static_cast<Sample>(radius < 0.8 ? (x < size[0] / 2 ? 1 : 2) : 0);
+      }
+    }
+  }
+  return ball;
+}
+
+/// As resampling by nearest neighbors does it.
+template <class Sample>
+Grid<Sample> enlarge(Grid<Sample> small, const Size& size)
+{
+  Grid<Sample> large(size);
+  for (int z = 0; z < size[2]; ++z)
+  {
+    for (int y = 0; y < size[1]; ++y)
+    {
+      for (int x = 0; x < size[0]; ++x)
+      {
+        const auto from = [&](int index, int axis)
+        { return static_cast<int>((index + 0.5) * small.size[axis] / size[axis]); };
+        large.at(x, y, z) = small.at(from(x, 0), from(y, 1), from(z, 2));
+      }
+    }
+  }
+  return large;
+}
+
+template <class Sample>
+void expectFound(const Size& from, const Size& to)
+{
+  Grid<Sample> small = makeBall<Sample>(from);
+  Grid<Sample> large = enlarge(small, to);
+  const std::array found = large.find();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double step = static_cast<double>(to[axis]) / from[axis];
+    EXPECT_NEAR(found[axis].step, step, 0.02 * step) << axis;
+    EXPECT_NEAR(found[axis].first, 0.5 * step - 0.5, 0.5) << axis; // as borders are those of samples
+    ASSERT_EQ(found[axis].count, from[axis]) << axis;
+  }
+  // Taken apart they are the samples that were repeated.
+  const std::vector<int> xs = found[0].indices();
+  const std::vector<int> ys = found[1].indices();
+  const std::vector<int> zs = found[2].indices();
+  for (int z = 0; z < from[2]; ++z)
+  {
+    for (int y = 0; y < from[1]; ++y)
+    {
+      for (int x = 0; x < from[0]; ++x)
+      {
+        ASSERT_EQ(large.at(xs[static_cast<std::size_t>(x)], ys[static_cast<std::size_t>(y)],
+                    zs[static_cast<std::size_t>(z)]),
+          small.at(x, y, z))
+          << x << ' ' << y << ' ' << z;
+      }
+    }
+  }
+}
+
+} // namespace
+
+TEST(RepeatedSamples, FoundByWhateverFactor)
+{
+  expectFound<std::uint8_t>({ 24, 24, 24 }, { 48, 48, 48 });
+  expectFound<std::int16_t>({ 40, 36, 32 }, { 86, 77, 70 });
+  expectFound<float>({ 24, 30, 26 }, { 150, 188, 160 });
+  expectFound<double>({ 20, 20, 20 }, { 60, 50, 80 });
+}
+
+TEST(RepeatedSamples, AlongOneAxisAlone)
+{
+  expectFound<std::uint8_t>({ 40, 40, 20 }, { 40, 40, 60 });
+  const std::array found = enlarge(makeBall<std::uint8_t>({ 40, 40, 20 }), { 40, 40, 60 }).find();
+  EXPECT_EQ(found[0].step, 1.0);
+  EXPECT_EQ(found[0].first, 0.0);
+  EXPECT_EQ(found[0].count, 40);
+}
+
+TEST(RepeatedSamples, WhereAPartWasCutOut)
+{
+  const Grid<std::uint8_t> whole = enlarge(makeBall<std::uint8_t>({ 24, 24, 24 }), { 96, 96, 96 });
+  Grid<std::uint8_t> part({ 50, 96, 96 });
+  for (int z = 0; z < 96; ++z)
+  {
+    for (int y = 0; y < 96; ++y)
+    {
+      for (int x = 0; x < 50; ++x)
+      {
+        part.at(x, y, z) = whole.at(x + 30, y, z);
+      }
+    }
+  }
+  const ink::RepeatedSamples found = part.find()[0];
+  // Blocks begin at 32, 36, ...; of the one before, two samples are left, whose middle is at the border.
+  EXPECT_EQ(found.step, 4.0);
+  EXPECT_NEAR(std::fmod(found.first + 30.0 - 1.5, 4.0), 0.0, 1e-12);
+}
+
+TEST(RepeatedSamples, NothingWhereNothingWas)
+{
+  const auto expectNone = [](const auto& grid)
+  {
+    for (const ink::RepeatedSamples& found : grid.find())
+    {
+      EXPECT_EQ(found.step, 1.0);
+      EXPECT_EQ(found.first, 0.0);
+    }
+  };
+  expectNone(makeBall<std::uint8_t>({ 48, 40, 44 }));
+  Grid<float> noise({ 20, 21, 22 });
+  std::mt19937 random(1);
+  std::generate(noise.samples.begin(), noise.samples.end(), [&] { return static_cast<float>(random()); });
+  expectNone(noise);
+  // Of a few boxes there are too few borders, and too few of a grid with this one and that one.
+  Grid<std::uint8_t> boxes({ 64, 64, 64 });
+  for (const int x : { 4, 10, 40, 60 })
+  {
+    boxes.at(x, x, x) = 1;
+    boxes.at(x + 1, x, x) = 1;
+  }
+  expectNone(boxes);
+  expectNone(Grid<std::uint8_t>({ 32, 32, 32 }));
+  expectNone(Grid<std::uint8_t>({ 1, 1, 1 }));
+  expectNone(makeBall<std::uint8_t>({ 3, 2, 1 }));
+  // One voxel that somebody has changed since.
+  Grid<std::uint8_t> changed = enlarge(makeBall<std::uint8_t>({ 24, 24, 24 }), { 48, 48, 48 });
+  changed.at(23, 23, 23) = 7;
+  expectNone(changed);
+}
+
+TEST(RepeatedSamples, OtherSizesAreRefused)
+{
+  EXPECT_THROW(ink::findRepeatedSamples("abc", 3, { 1, 1, 1 }), std::invalid_argument);
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InkSubsample.h"
+
+#include "Core/ParallelFor.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+
+namespace
+{
+
+struct TakePoints
+{
+  const int* Dimensions;
+  const std::array<InkSubsampledAxis, 3>& Axes;
+
+  template <class Array>
+  void operator()(Array* from, vtkDataArray* to) const
+  {
+    const auto source = vtk::DataArrayTupleRange(from);
+    auto target = vtk::DataArrayTupleRange(Array::FastDownCast(to));
+    const auto& [xs, ys, zs] = this->Axes;
+    const auto columns = static_cast<vtkIdType>(xs.Indices.size());
+    const auto rows = static_cast<vtkIdType>(ys.Indices.size());
+    ink::parallelFor(zs.Indices.size(),
+      [&](std::size_t z)
+      {
+        vtkIdType point = static_cast<vtkIdType>(z) * rows * columns;
+        for (const int y : ys.Indices)
+        {
+          const vtkIdType row =
+            (static_cast<vtkIdType>(zs.Indices[z]) * this->Dimensions[1] + y) * this->Dimensions[0];
+          for (const int x : xs.Indices)
+          {
+            target[point++] = source[row + x];
+          }
+        }
+      });
+  }
+};
+
+} // namespace
+
+vtkSmartPointer<vtkImageData> InkSubsample(vtkImageData* image, const std::array<InkSubsampledAxis, 3>& axes)
+{
+  const int* extent = image->GetExtent();
+  const double* spacing = image->GetSpacing();
+  double origin[3];
+  image->TransformContinuousIndexToPhysicalPoint(
+    extent[0] + axes[0].First, extent[2] + axes[1].First, extent[4] + axes[2].First, origin);
+  auto result = vtkSmartPointer<vtkImageData>::New();
+  result->SetDimensions(static_cast<int>(axes[0].Indices.size()), static_cast<int>(axes[1].Indices.size()),
+    static_cast<int>(axes[2].Indices.size()));
+  result->SetSpacing(spacing[0] * axes[0].Step, spacing[1] * axes[1].Step, spacing[2] * axes[2].Step);
+  result->SetOrigin(origin);
+  result->SetDirectionMatrix(image->GetDirectionMatrix());
+  const TakePoints take{ image->GetDimensions(), axes };
+  vtkPointData* from = image->GetPointData();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = from->GetArray(i);
+    if (!array)
+    {
+      continue; // of texts
+    }
+    const auto some = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+    some->SetName(array->GetName());
+    some->SetNumberOfComponents(array->GetNumberOfComponents());
+    some->CopyComponentNames(array);
+    some->SetNumberOfTuples(result->GetNumberOfPoints());
+    if (!vtkArrayDispatch::Dispatch::Execute(array, take, some.Get()))
+    {
+      take(array, some.Get());
+    }
+    result->GetPointData()->AddArray(some);
+    if (array == from->GetScalars())
+    {
+      result->GetPointData()->SetScalars(some);
+    }
+  }
+  return result;
+}

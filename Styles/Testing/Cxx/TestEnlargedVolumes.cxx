@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Volumes that were enlarged by repeating voxels are drawn as what they were made of.
+#include "StyleData.h"
+#include "StyleErrors.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkInkSplattingLinesStyle.h"
+#include "vtkInkStyle.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkShortArray.h"
+#include "vtkTrivialProducer.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+constexpr double Radius = 48.0;
+constexpr int Side = 129; ///< of the enlarged volume, one millimeter a voxel
+
+/// The mask of a ball around the middle of a volume of voxels that are as long as `step` says, repeated for
+/// one of one millimeter, beside an array that says where its points are.
+vtkSmartPointer<vtkImageData> MakeEnlargedBall(double step)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetExtent(5, Side + 4, 0, Side - 1, 0, Side - 1);
+  image->SetOrigin(-5.0, 0.0, 0.0);
+  vtkNew<vtkShortArray> mask;
+  mask->SetName("mask");
+  vtkNew<vtkDoubleArray> places;
+  places->SetName("places");
+  places->SetNumberOfComponents(3);
+  const auto middleOf = [=](double place) { return (std::floor((place + 0.5) / step) + 0.5) * step - 0.5; };
+  const double center = 0.5 * (Side - 1);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    image->GetPoint(i, p);
+    places->InsertNextTuple(p);
+    const double radius =
+      std::hypot(middleOf(p[0]) - center, middleOf(p[1]) - center, middleOf(p[2]) - center);
+    mask->InsertNextValue(radius < Radius ? 3 : 0);
+  }
+  image->GetPointData()->SetScalars(mask);
+  image->GetPointData()->AddArray(places);
+  return image;
+}
+
+/// How far normals are off those of the ball (degrees, root mean square), and points off its surface.
+std::pair<double, double> FindErrors(vtkPolyData* points)
+{
+  double angles = 0.0;
+  double distances = 0.0;
+  const double center = 0.5 * (Side - 1);
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double out[3];
+    double normal[3];
+    points->GetPoint(i, out);
+    points->GetPointData()->GetNormals()->GetTuple(i, normal);
+    std::for_each(out, out + 3, [=](double& coordinate) { coordinate -= center; });
+    const double angle = vtkMath::DegreesFromRadians(vtkMath::AngleBetweenVectors(out, normal));
+    angles += angle * angle;
+    distances += std::pow(vtkMath::Norm(out) - Radius, 2);
+  }
+  const auto count = static_cast<double>(points->GetNumberOfPoints());
+  return { std::sqrt(angles / count), std::sqrt(distances / count) };
+}
+
+std::string NoteOf(vtkInkStyle* style)
+{
+  for (int i = 0; i < style->GetNumberOfNotes(); ++i)
+  {
+    if (std::string(style->GetNote(i)).find("enlarged by repeating") != std::string::npos)
+    {
+      return style->GetNote(i);
+    }
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(EnlargedVolumes, SurfacesHaveNoBlocks)
+{
+  for (const double step : { 3.0, 4.3, 6.24 })
+  {
+    const auto image = MakeEnlargedBall(step);
+    vtkNew<vtkInkSplattingLinesStyle> style;
+    ASSERT_TRUE(style->Make(image));
+    EXPECT_NE(NoteOf(style).find("that it was made of"), std::string::npos) << step;
+    const auto [angle, distance] = FindErrors(style->GetPiece(0));
+    EXPECT_LT(angle, 4.0) << step;
+    EXPECT_LT(distance, 0.5 * step) << step; // what smoothing two voxels takes away from a ball this small
+    double bounds[6];
+    style->GetPiece(0)->GetBounds(bounds);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      EXPECT_NEAR(0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]), 0.5 * (Side - 1), 0.5) << step;
+    }
+    style->SetParameterAsString("LabelMap", "off");
+    ASSERT_TRUE(style->Make(image));
+    EXPECT_EQ(NoteOf(style), "") << step;
+    EXPECT_GT(FindErrors(style->GetPiece(0)).first, 3.0 * angle) << step;
+  }
+}
+
+TEST(EnlargedVolumes, OthersStayAsTheyAre)
+{
+  for (const double step : { 1.0, 2.0 })
+  {
+    vtkNew<vtkInkSplattingLinesStyle> style;
+    ASSERT_TRUE(style->Make(MakeEnlargedBall(step)));
+    EXPECT_EQ(NoteOf(style), "") << step;
+  }
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  ASSERT_TRUE(style->Make(MakeBall()));
+  EXPECT_EQ(NoteOf(style), "");
+}
+
+TEST(EnlargedVolumes, AllStylesAndPorts)
+{
+  const auto image = MakeEnlargedBall(6.24);
+  vtkNew<vtkTrivialProducer> producer;
+  producer->SetOutput(image);
+  for (const auto& style : MakeStyles())
+  {
+    style->SetPictureSize(100.0);
+    MakeFewMarks(style);
+    ASSERT_TRUE(style->Make(image)) << style->GetName();
+    EXPECT_NE(NoteOf(style), "") << style->GetName();
+    EXPECT_GT(MarksOf(style).size(), 300u) << style->GetName();
+    EXPECT_EQ(style->MakeMarks({ .Data = image, .Port = producer->GetOutputPort() }), "") << style->GetName();
+    EXPECT_NE(NoteOf(style), "") << style->GetName();
+    EXPECT_GT(MarksOf(style).size(), 300u) << style->GetName();
+  }
+}
+
+TEST(EnlargedVolumes, AChangeOfTheVolumeIsSeen)
+{
+  const auto image = MakeEnlargedBall(3.0);
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_NE(NoteOf(style), "");
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_NE(NoteOf(style), "") << "noted each time";
+  image->GetPointData()->GetScalars()->SetTuple1(image->FindPoint(60.0, 60.0, 60.0), 4);
+  image->GetPointData()->GetScalars()->Modified();
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_EQ(NoteOf(style), "") << "one voxel alone shows that they are not repeated";
+}
