@@ -11,6 +11,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace ink
 {
@@ -20,8 +21,11 @@ namespace
 /// Of each sample along an axis whether the next one differs from it, anywhere in the grid.
 using Changes = std::vector<char>;
 
-constexpr std::size_t fewestBorders = 8;
-constexpr double leastShown = 0.75; ///< of the borders between blocks
+constexpr std::size_t fewestBorders = 16;
+constexpr double leastShown = 0.8; ///< of the borders between blocks
+constexpr double mostBeside =
+  0.75; ///< how far a border is from the grid's: half a sample, and what the fit is off
+constexpr double leastDifferent = 0.25; ///< of the borders; of what is symmetric, half are
 
 Changes noChanges(int samples)
 {
@@ -140,7 +144,7 @@ RepeatedSamples fitBorders(const Changes& changes)
   }
   for (std::size_t i = 0; i < borders.size(); ++i)
   {
-    if (std::abs(borders[i] - (offset + step * places[i])) > 1.0)
+    if (std::abs(borders[i] - (offset + step * places[i])) > mostBeside)
     {
       return {};
     }
@@ -157,6 +161,42 @@ RepeatedSamples within(RepeatedSamples repeated, int samples)
   repeated.first -= before * repeated.step;
   repeated.count = static_cast<int>(std::ceil((samples - 0.5 - repeated.first) / repeated.step));
   return repeated;
+}
+
+/// Whether the samples that were repeated along an axis change as those of nothing that is made of blocks.
+template <class Sample>
+bool differ(const Sample* samples, const std::array<int, 3>& dimensions,
+  const std::array<RepeatedSamples, 3>& found, std::size_t axis)
+{
+  std::array indices{ found[0].indices(), found[1].indices(), found[2].indices() };
+  std::swap(indices[0], indices[axis]);
+  std::array<std::size_t, 3> strides{ 1, static_cast<std::size_t>(dimensions[0]),
+    static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]) };
+  std::swap(strides[0], strides[axis]);
+  std::vector<std::size_t> changes;
+  for (std::size_t i = 0; i + 1 < indices[0].size(); ++i)
+  {
+    const std::size_t here = strides[0] * static_cast<std::size_t>(indices[0][i]);
+    const std::size_t next = strides[0] * static_cast<std::size_t>(indices[0][i + 1]);
+    std::size_t count = 0;
+    for (const int z : indices[2])
+    {
+      for (const int y : indices[1])
+      {
+        const std::size_t row =
+          strides[1] * static_cast<std::size_t>(y) + strides[2] * static_cast<std::size_t>(z);
+        count += samples[row + here] != samples[row + next] ? 1 : 0;
+      }
+    }
+    if (count > 0)
+    {
+      changes.push_back(count);
+    }
+  }
+  const auto borders = static_cast<double>(changes.size());
+  std::sort(changes.begin(), changes.end());
+  const auto different = std::unique(changes.begin(), changes.end()) - changes.begin();
+  return static_cast<double>(different) >= leastDifferent * borders;
 }
 
 } // namespace
@@ -177,13 +217,22 @@ std::array<RepeatedSamples, 3> findRepeatedSamples(
 {
   const auto find = [&](auto sample)
   {
-    const std::array changes = findChanges(static_cast<const decltype(sample)*>(samples), dimensions);
-    std::array<RepeatedSamples, 3> result;
+    const auto* values = static_cast<const decltype(sample)*>(samples);
+    const std::array changes = findChanges(values, dimensions);
+    std::array<RepeatedSamples, 3> found;
+    std::array<RepeatedSamples, 3> none;
+    int axes = 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      result[axis] = within(fitBorders(changes[axis]), dimensions[axis]);
+      none[axis] = within({}, dimensions[axis]);
+      found[axis] = within(fitBorders(changes[axis]), dimensions[axis]);
+      axes += found[axis].step > 1.0 ? 1 : 0;
     }
-    return result;
+    for (std::size_t axis = 0; axis < 3 && axes > 1; ++axis)
+    {
+      axes = found[axis].step > 1.0 && !differ(values, dimensions, found, axis) ? 0 : axes;
+    }
+    return axes > 1 ? found : none;
   };
   switch (bytesPerSample)
   {

@@ -21,10 +21,11 @@ struct RepeatedSamples
   std::vector<int> indices() const;
 };
 
-/// Finds them: nothing changes but from one block to the next, all over the grid, and the borders between
-/// blocks are those of a regular grid, of 2 samples or more, to within one sample. Nearly all of those
-/// between the first and the last have to show, eight or more, so that what merely has flat sides is left
-/// alone.
+/// Finds them where nothing changes but from one block to the next, all over the grid, along two axes or
+/// more: the borders between blocks are those of a regular grid, of 2 samples or more, as near as samples can
+/// be. Nearly all of those between the first and the last have to show, 16 or more, and they have to differ
+/// in how much changes there, as those of a segmentation do; those of fins, lattices and stairs are alike,
+/// whose shapes are what was meant.
 ///
 /// @param samples x fastest, of 1, 2, 4 or 8 bytes each
 /// @throws std::invalid_argument for other sizes

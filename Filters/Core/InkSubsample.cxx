@@ -4,8 +4,10 @@
 #include "Core/ParallelFor.h"
 
 #include "vtkArrayDispatch.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 
@@ -16,6 +18,7 @@ struct TakePoints
 {
   const int* Dimensions;
   const std::array<InkSubsampledAxis, 3>& Axes;
+  bool InParallel; ///< not where several values share a byte
 
   template <class Array>
   void operator()(Array* from, vtkDataArray* to) const
@@ -25,20 +28,28 @@ struct TakePoints
     const auto& [xs, ys, zs] = this->Axes;
     const auto columns = static_cast<vtkIdType>(xs.Indices.size());
     const auto rows = static_cast<vtkIdType>(ys.Indices.size());
-    ink::parallelFor(zs.Indices.size(),
-      [&](std::size_t z)
+    const auto takeSlice = [&](std::size_t z)
+    {
+      vtkIdType point = static_cast<vtkIdType>(z) * rows * columns;
+      for (const int y : ys.Indices)
       {
-        vtkIdType point = static_cast<vtkIdType>(z) * rows * columns;
-        for (const int y : ys.Indices)
+        const vtkIdType row =
+          (static_cast<vtkIdType>(zs.Indices[z]) * this->Dimensions[1] + y) * this->Dimensions[0];
+        for (const int x : xs.Indices)
         {
-          const vtkIdType row =
-            (static_cast<vtkIdType>(zs.Indices[z]) * this->Dimensions[1] + y) * this->Dimensions[0];
-          for (const int x : xs.Indices)
-          {
-            target[point++] = source[row + x];
-          }
+          target[point++] = source[row + x];
         }
-      });
+      }
+    };
+    if (this->InParallel)
+    {
+      ink::parallelFor(zs.Indices.size(), takeSlice);
+      return;
+    }
+    for (std::size_t z = 0; z < zs.Indices.size(); ++z)
+    {
+      takeSlice(z);
+    }
   }
 };
 
@@ -46,6 +57,10 @@ struct TakePoints
 
 vtkSmartPointer<vtkImageData> InkSubsample(vtkImageData* image, const std::array<InkSubsampledAxis, 3>& axes)
 {
+  if (image->GetCellData()->GetNumberOfArrays() > 0)
+  {
+    return image;
+  }
   const int* extent = image->GetExtent();
   const double* spacing = image->GetSpacing();
   double origin[3];
@@ -57,20 +72,21 @@ vtkSmartPointer<vtkImageData> InkSubsample(vtkImageData* image, const std::array
   result->SetSpacing(spacing[0] * axes[0].Step, spacing[1] * axes[1].Step, spacing[2] * axes[2].Step);
   result->SetOrigin(origin);
   result->SetDirectionMatrix(image->GetDirectionMatrix());
-  const TakePoints take{ image->GetDimensions(), axes };
+  result->GetFieldData()->ShallowCopy(image->GetFieldData());
   vtkPointData* from = image->GetPointData();
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* array = from->GetArray(i);
-    if (!array)
+    if (!array || array->GetNumberOfTuples() < image->GetNumberOfPoints())
     {
-      continue; // of texts
+      continue;
     }
     const auto some = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
     some->SetName(array->GetName());
     some->SetNumberOfComponents(array->GetNumberOfComponents());
     some->CopyComponentNames(array);
     some->SetNumberOfTuples(result->GetNumberOfPoints());
+    const TakePoints take{ image->GetDimensions(), axes, array->GetDataType() != VTK_BIT };
     if (!vtkArrayDispatch::Dispatch::Execute(array, take, some.Get()))
     {
       take(array, some.Get());

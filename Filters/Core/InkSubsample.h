@@ -20,8 +20,8 @@ struct InkSubsampledAxis
   double Step = 1.0;        ///< how far apart they are
 };
 
-/// Takes them on all threads (vtkExtractVOI takes one), with all point arrays of numbers, of which the active
-/// scalars stay so.
+/// Takes them on all threads (vtkExtractVOI takes one), with all point arrays of numbers that have as many as
+/// the image has points; active scalars stay so. The image itself where it has arrays of cells.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkSubsample(
   vtkImageData* image, const std::array<InkSubsampledAxis, 3>& axes);
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkWithoutRepeats.h"
 
-#include "InkCellCenters.h"
+#include "InkActiveScalars.h"
 #include "InkSubsample.h"
 
 #include "Statistics/RepeatedSamples.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -24,8 +25,10 @@ constexpr double TooFew = 2.05;
 vtkSmartPointer<vtkImageData> InkWithoutRepeats(vtkImageData* image, const std::string& array)
 {
   vtkPointData* points = image->GetPointData();
-  vtkDataArray* values = array.empty() ? points->GetScalars() : points->GetArray(array.c_str());
-  if (!values || InkTakesCells(image, array) || values->GetNumberOfComponents() != 1 ||
+  vtkDataArray* values = !array.empty() ? points->GetArray(array.c_str())
+    : points->GetScalars()              ? points->GetScalars()
+                                        : InkFirstValues(points);
+  if (!values || image->GetCellData()->GetNumberOfArrays() > 0 || values->GetNumberOfComponents() != 1 ||
     !values->HasStandardMemoryLayout() || values->GetDataTypeSize() < 1 ||
     values->GetNumberOfTuples() != image->GetNumberOfPoints())
   {

@@ -13,9 +13,9 @@ class vtkImageData;
 
 /// An image with one point for each block of equal ones (ink::findRepeatedSamples), in its middle; all its
 /// other arrays have as many then.
-/// @param array whose values are looked at; empty: the active scalars
-/// @return the image itself where no more than two are equal along each axis, and where values of cells are
-/// asked for
+/// @param array whose values are looked at; empty: the active scalars, or else the first
+/// @return the image itself where no more than two are equal along each axis, and where it has arrays of
+/// cells
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithoutRepeats(
   vtkImageData* image, const std::string& array = {});
 

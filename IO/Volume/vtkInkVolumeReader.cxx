@@ -4,7 +4,6 @@
 #include "Core/FormatNumber.h"
 #include "DicomFile.h"
 #include "FileFormats.h"
-#include "FirstBytes.h"
 #include "GridVolume.h"
 #include "InkKeepRange.h"
 #include "InkReportReadError.h"
@@ -30,7 +29,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 

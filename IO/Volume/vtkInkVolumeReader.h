@@ -11,7 +11,7 @@
  * about distances, channels and times), a folder of TIFF files, each of which is a slice, a folder of DICOM
  * files, which becomes the series in it that has most slices, one DICOM file (.dcm, or any name), which is a
  * volume by itself or stands for the slices of its series in its folder, files of voxels alone whose names
- * say what is in them (skull_256x256x256_uint8.raw, also .raw.gz; little endian), and with Raw any file
+ * say what is in them (skull_256x256x256_uint8.raw, also .raw.gz), and with Raw any file
  * without a header. Which format it is the file's name tells.
  *
  * The output has one point array of one component: the first of voxels that have several, in the type of the

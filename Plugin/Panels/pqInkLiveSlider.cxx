@@ -64,19 +64,28 @@ void pqInkLiveSlider::Start()
   {
     return;
   }
+  this->View = this->Widget->view();
+  this->Owner = OwnerOf(this->Widget);
   BEGIN_UNDO_SET(QObject::tr("Property Changed"));
   this->Trace = std::make_unique<vtkSMTrace::TraceItem>("PropertiesModified");
   *this->Trace = vtkSMTrace::TraceItemArgs().arg("proxy", this->Widget->proxy());
-  OwnerOf(this->Widget)->SetPreview(true);
+  this->Owner->SetPreview(true);
 }
 
 void pqInkLiveSlider::Follow()
 {
   QElapsedTimer clock;
   clock.start();
+  const QPointer<pqInkLiveSlider> self = this;
   this->Widget->apply();
-  this->Widget->view()->forceRender();
-  this->IsQuick = clock.elapsed() <= MostMilliseconds;
+  if (this->View)
+  {
+    this->View->forceRender();
+  }
+  if (self)
+  {
+    this->IsQuick = clock.elapsed() <= MostMilliseconds;
+  }
 }
 
 void pqInkLiveSlider::Stop()
@@ -86,11 +95,14 @@ void pqInkLiveSlider::Stop()
     return;
   }
   this->Wait.stop();
-  OwnerOf(this->Widget)->SetPreview(false);
+  if (this->Owner)
+  {
+    this->Owner->SetPreview(false);
+  }
   this->Trace.reset();
   END_UNDO_SET();
-  if (pqView* view = this->Widget->view())
+  if (this->View)
   {
-    view->render();
+    this->View->render();
   }
 }

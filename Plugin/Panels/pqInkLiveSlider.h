@@ -3,14 +3,18 @@
 #define pqInkLiveSlider_h
 
 #include "vtkSMTrace.h"
+#include "vtkWeakPointer.h"
 
 #include <QObject>
+#include <QPointer>
 #include <QTimer>
 
 #include <memory>
 
 class QSlider;
 class pqPropertyWidget;
+class pqView;
+class vtkSMInkRepresentationProxy;
 
 /**
  * Pictures that follow a slider while it is dragged, where ParaView waits until it is let go: of one of our
@@ -40,6 +44,9 @@ private:
   void Stop();
 
   pqPropertyWidget* const Widget;
+  // Of the drag: the widget may be half gone when this is.
+  QPointer<pqView> View;
+  vtkWeakPointer<vtkSMInkRepresentationProxy> Owner;
   QTimer Wait;                                  ///< until all that has happened to the slider is known
   std::unique_ptr<vtkSMTrace::TraceItem> Trace; ///< null: it is not dragged
   bool IsQuick = true;

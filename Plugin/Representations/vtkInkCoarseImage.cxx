@@ -3,7 +3,6 @@
 
 #include "InkSubsample.h"
 
-#include "vtkCellData.h"
 #include "vtkImageData.h"
 
 #include <algorithm>
@@ -31,13 +30,16 @@ std::array<int, 3> FindStrides(vtkImageData* image, vtkIdType mostPoints)
   std::transform(image->GetSpacing(), image->GetSpacing() + 3, spacing.begin(),
     [](double step) { return step != 0.0 ? std::abs(step) : 1.0; });
   const double finest = *std::min_element(spacing.begin(), spacing.end());
-  const int longest = *std::max_element(image->GetDimensions(), image->GetDimensions() + 3);
+  const int* points = image->GetDimensions();
+  const int longest = *std::max_element(points, points + 3);
   std::array strides{ 1, 1, 1 };
   for (int apart = 1; apart <= longest; ++apart)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      strides[axis] = std::max(1, static_cast<int>(std::lround(apart * finest / spacing[axis])));
+      const double along = std::round(apart * finest / spacing[axis]);
+      // An axis of several points keeps two.
+      strides[axis] = static_cast<int>(std::clamp(along, 1.0, std::max(points[axis] - 1.0, 1.0)));
     }
     const auto [x, y, z] = CountPoints(image, strides);
     if (vtkIdType{ x } * y * z <= mostPoints)
@@ -53,7 +55,7 @@ std::array<int, 3> FindStrides(vtkImageData* image, vtkIdType mostPoints)
 vtkSmartPointer<vtkImageData> vtkInkCoarseImage(vtkImageData* image, vtkIdType mostPoints)
 {
   const std::array strides = FindStrides(image, mostPoints);
-  if (strides == std::array{ 1, 1, 1 } || image->GetCellData()->GetNumberOfArrays() > 0)
+  if (strides == std::array{ 1, 1, 1 })
   {
     return image;
   }

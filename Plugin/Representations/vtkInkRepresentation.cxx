@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -141,8 +142,15 @@ int vtkInkRepresentation::RequestData(
   if (auto* image = this->Preview ? vtkImageData::SafeDownCast(input.Data) : nullptr;
       image && vtkInkProcesses().GetNumber() == 1)
   {
-    this->TakeCoarse(input, image);
-    settings.emplace(this->Style, image, vtkImageData::SafeDownCast(input.Data));
+    try
+    {
+      this->TakeCoarse(input, image);
+      settings.emplace(this->Style, image, vtkImageData::SafeDownCast(input.Data));
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Coarse = nullptr; // all of the image is drawn, or the style says why not
+    }
   }
   // An earlier run may have been stopped.
   this->SetAbortExecute(0);
@@ -359,8 +367,9 @@ void vtkInkRepresentation::TakeCoarse(vtkInkStyle::Input& input, vtkImageData* i
 {
   if (!this->Coarse || this->CoarseTime != image->GetMTime())
   {
+    const vtkSmartPointer<vtkImageData> coarse = vtkInkCoarseImage(image, MostPointsOfPreview);
     this->Coarse = vtkSmartPointer<vtkTrivialProducer>::New();
-    this->Coarse->SetOutput(vtkInkCoarseImage(image, MostPointsOfPreview));
+    this->Coarse->SetOutput(coarse);
     this->CoarseTime = image->GetMTime();
   }
   input.Data = this->Coarse->GetOutputDataObject(0);

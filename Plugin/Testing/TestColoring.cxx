@@ -65,12 +65,16 @@ class TestColoring : public ClientTest
 {
 public:
   explicit TestColoring(const std::vector<std::string>&)
-    : ClientTest([](pqObjectBuilder* builder, pqServer* server)
-        { return builder->createSource("sources", "SphereSource", server); })
+    : ClientTest(
+        [this](pqObjectBuilder* builder, pqServer* server)
+        {
+          // Before there is a representation.
+          pqInterfaceTracker* tracker = pqApplicationCore::instance()->interfaceTracker();
+          tracker->addInterface(new pqDefaultContextMenu(tracker));
+          this->Window.addToolBar(new pqColorToolbar(&this->Window));
+          return builder->createSource("sources", "SphereSource", server);
+        })
   {
-    pqInterfaceTracker* tracker = pqApplicationCore::instance()->interfaceTracker();
-    tracker->addInterface(new pqDefaultContextMenu(tracker));
-    this->Window.addToolBar(new pqColorToolbar(&this->Window));
   }
 
   bool Run()

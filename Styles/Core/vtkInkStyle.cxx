@@ -108,13 +108,14 @@ vtkInkStyle::Input vtkInkStyle::TakeRepeats(const Input& input)
   const std::string array = this->GetParameterAsString("Scalars");
   if (this->Repeats.Of != image || this->Repeats.Time != image->GetMTime() || this->Repeats.Array != array)
   {
-    this->Repeats = { image, image->GetMTime(), array, nullptr };
+    FoundRepeats found{ image, image->GetMTime(), array, nullptr };
     const vtkSmartPointer<vtkImageData> without = InkWithoutRepeats(image, array);
     if (without != image)
     {
-      this->Repeats.Source = vtkSmartPointer<vtkTrivialProducer>::New();
-      this->Repeats.Source->SetOutput(without);
+      found.Source = vtkSmartPointer<vtkTrivialProducer>::New();
+      found.Source->SetOutput(without);
     }
+    this->Repeats = found;
   }
   if (!this->Repeats.Source)
   {
@@ -124,7 +125,7 @@ vtkInkStyle::Input vtkInkStyle::TakeRepeats(const Input& input)
   int voxels[3];
   used->GetDimensions(voxels);
   this->AddNote("the volume was enlarged by repeating voxels; it is drawn as the " +
-    ink::formatDimensions(voxels) + " that it was made of");
+    ink::formatDimensions(voxels) + " that it was made of; LabelMap off draws it as it is");
   Input result = input;
   result.Data = used;
   result.Port = input.Port ? this->Repeats.Source->GetOutputPort() : nullptr;

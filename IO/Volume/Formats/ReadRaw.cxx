@@ -8,10 +8,13 @@
 #include "Pattern.h"
 #include "ReadError.h"
 
+#include "vtkDataArray.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -36,20 +39,75 @@ bool IsNumber(int type)
   }
 }
 
-/// The name of the type that a file's name has, or else that its size leaves.
-std::string findType(const std::string& name, const fs::path& file, double voxels)
+using Dimensions = std::array<int, 3>;
+
+/// All that a name says of sizes, as 256x256x128.
+std::vector<Dimensions> findDimensions(const std::string& name)
 {
-  static const Pattern types(
-    "(?:^|[^a-z0-9])(u?int8|u?int16|u?int32|u?int64|float32|float64)(?![a-z0-9])", /*ignoreCase=*/true);
-  const std::vector<std::string> said = types.search(name);
-  if (!said.empty())
+  // A dot before it may be a decimal's.
+  static const Pattern pattern(
+    R"((?:^|[^a-z0-9.]|[^0-9]\.)(\d{1,6})x(\d{1,6})x(\d{1,6})(?![a-z0-9]))", /*ignoreCase=*/true);
+  std::vector<Dimensions> found;
+  std::string rest = name;
+  for (std::vector<std::string> match = pattern.search(rest); !match.empty(); match = pattern.search(rest))
   {
-    std::string type = said[1];
-    std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return std::tolower(c); });
-    return type;
+    found.push_back({ std::stoi(match[1]), std::stoi(match[2]), std::stoi(match[3]) });
+    rest = rest.substr(rest.find(match[0]) + match[0].size());
   }
-  const auto bytes = static_cast<double>(fs::file_size(file));
-  return bytes == voxels ? "uint8" : bytes == 2.0 * voxels ? "uint16" : "";
+  return found;
+}
+
+double countVoxels(const Dimensions& dimensions)
+{
+  return static_cast<double>(dimensions[0]) * dimensions[1] * dimensions[2];
+}
+
+/// What a name says of its voxels' type.
+struct NamedType
+{
+  std::string name; ///< empty: nothing
+  bool bigEndian = false;
+};
+
+/// @throws ReadError for words that are none of numberTypes(), as float16, and for two types
+NamedType findType(const std::string& name, const fs::path& file)
+{
+  static const std::map<std::string, std::string> otherNames{ { "byte", "uint8" }, { "uchar", "uint8" },
+    { "char", "int8" }, { "ushort", "uint16" }, { "short", "int16" }, { "uint", "uint32" },
+    { "int", "int32" }, { "float", "float32" }, { "double", "float64" } };
+  static const Pattern pattern(
+    "(?:^|[^a-z0-9])(u?char|byte|u?short|double|(?:u?int|float|half|complex|rgba?)\\d*)(le|be)?(?![a-z0-9])",
+    /*ignoreCase=*/true);
+  static const Pattern bigEndian("(?:^|[^a-z])(big.?endian|msb|be)(?![a-z])", /*ignoreCase=*/true);
+  const auto lower = [](std::string word)
+  {
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    return word;
+  };
+  NamedType type;
+  type.bigEndian = !bigEndian.search(name).empty();
+  std::string rest = name;
+  for (std::vector<std::string> match = pattern.search(rest); !match.empty(); match = pattern.search(rest))
+  {
+    const std::string said = lower(match[1]);
+    const auto other = otherNames.find(said);
+    const std::string usual = other == otherNames.end() ? said : other->second;
+    if (!numberTypes().contains(usual) || (!type.name.empty() && type.name != usual))
+    {
+      std::string expected;
+      for (const auto& [one, id] : numberTypes())
+      {
+        expected += " " + one;
+      }
+      failToRead(file,
+        "its name says '" + match[1] + "'" + (type.name.empty() ? "" : " and '" + type.name + "'") +
+          "; expected one of" + expected);
+    }
+    type.name = usual;
+    type.bigEndian = type.bigEndian || lower(match[2]) == "be";
+    rest = rest.substr(rest.find(match[0]) + match[0].size());
+  }
+  return type;
 }
 
 } // namespace
@@ -96,26 +154,33 @@ VolumeHeader rawHeader(const fs::path& file, const int dimensions[3], int type, 
 VolumeHeader readNamedRawHeader(const fs::path& file)
 {
   const std::string name = file.filename().string();
-  static const Pattern sizes(
-    R"((?:^|[^a-z0-9])(\d{1,6})x(\d{1,6})x(\d{1,6})(?![a-z0-9]))", /*ignoreCase=*/true);
-  const std::vector<std::string> size = sizes.search(name);
-  int dimensions[3] = { 0, 0, 0 };
-  if (!size.empty())
+  const std::vector<Dimensions> sizes = findDimensions(name);
+  NamedType type = findType(name, file);
+  // Compressed, a file's size says nothing.
+  const double bytes = FirstBytes(file, 1).compressed ? 0.0 : static_cast<double>(fs::file_size(file));
+  if (type.name.empty() && !sizes.empty() && bytes > 0.0)
   {
-    std::transform(
-      size.begin() + 1, size.end(), dimensions, [](const std::string& digits) { return std::stoi(digits); });
+    const double perVoxel = bytes / countVoxels(sizes.front());
+    type.name = perVoxel == 1.0 ? "uint8" : perVoxel == 2.0 ? "uint16" : "";
   }
-  const double voxels = static_cast<double>(dimensions[0]) * dimensions[1] * dimensions[2];
-  const std::string type = voxels > 0.0 ? findType(name, file, voxels) : std::string();
-  if (type.empty())
+  if (type.name.empty() || sizes.empty() || countVoxels(sizes.front()) == 0.0)
   {
     failToRead(file,
       "its name does not say what is in it; expected one such as skull_256x256x256_uint8.raw, or Raw "
       "(--raw)");
   }
-  VolumeHeader header = rawHeader(file, dimensions, numberTypes().at(type), /*bigEndian=*/false);
-  header.notes.push_back("what is in it is taken from its name: " + formatDimensions(dimensions) + " " +
-    type + (header.voxels.valueSize() > 1 ? ", little endian" : ""));
+  const int id = numberTypes().at(type.name);
+  // A name may tell of other sizes, too.
+  const auto fits = [&](const Dimensions& size)
+  { return countVoxels(size) * vtkDataArray::GetDataTypeSize(id) == bytes; };
+  const auto fitting = std::find_if(sizes.begin(), sizes.end(), fits);
+  const Dimensions& size = fitting == sizes.end() ? sizes.front() : *fitting;
+  VolumeHeader header = rawHeader(file, size.data(), id, type.bigEndian);
+  header.notes.push_back("what is in it is taken from its name: " + formatDimensions(size.data()) + " " +
+    type.name +
+    (header.voxels.valueSize() == 1 ? ""
+        : type.bigEndian            ? ", big endian"
+                                    : ", little endian"));
   return header;
 }
 

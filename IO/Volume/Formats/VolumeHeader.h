@@ -56,9 +56,11 @@ std::optional<std::filesystem::path> findOtherOfPair(const std::filesystem::path
 VolumeHeader readNpyHeader(const std::filesystem::path& file);
 VolumeHeader readNrrdHeader(const std::filesystem::path& file);
 VolumeHeader readMetaImageHeader(const std::filesystem::path& file);
-/// Of a file without a header, of voxels of a type of VTK's, x fastest.
+/// Of a file without a header, of voxels of a type of VTK's, x fastest; if it has not as many bytes, or,
+/// compressed, fewer, it is refused.
 VolumeHeader rawHeader(const std::filesystem::path& file, const int dimensions[3], int type, bool bigEndian);
-/// Of one whose name says its dimensions and type, as skull_256x256x256_uint8.raw, little endian.
+/// Of one whose name says its dimensions, its type, and where that is so that it is big endian, as
+/// skull_256x256x256_uint8.raw. Without a type it is that of one byte, or two, as many as there are.
 VolumeHeader readNamedRawHeader(const std::filesystem::path& file);
 /// Of VolVis' volumes.
 VolumeHeader readSlcHeader(const std::filesystem::path& file);

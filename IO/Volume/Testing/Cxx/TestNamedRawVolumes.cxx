@@ -42,6 +42,11 @@ TEST(NamedRawVolumes, AsTheirNamesSay)
     { "_7x5x6_float32_of2024.raw", VTK_FLOAT },
     { " (7x5x6, float64).raw", VTK_DOUBLE },
     { "_7x5x6.raw", VTK_UNSIGNED_CHAR },
+    { "_7x5x6_short.raw", VTK_SHORT },
+    { "_1x1x1mm_7x5x6_uint8.raw", VTK_UNSIGNED_CHAR },
+    { "_1x1x1_7x5x6_uint8.raw", VTK_UNSIGNED_CHAR },
+    { "_0.5x1x2_7x5x6_uint8.raw", VTK_UNSIGNED_CHAR },
+    { "_uint16le_7x5x6.raw", VTK_UNSIGNED_SHORT },
   };
   for (const auto& [name, type] : files)
   {
@@ -67,6 +72,18 @@ TEST(NamedRawVolumes, TheTypeMayFollowFromTheSize)
   EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(1, 0, 0, 0), 2 + 256 * 3);
 }
 
+TEST(NamedRawVolumes, BigEndian)
+{
+  for (const char* name :
+    { "_7x5x6_uint16be", "_7x5x6_uint16_be", "_big-endian_7x5x6_uint16", "_7x5x6_uint16_MSB" })
+  {
+    const auto reader = UpdatedReaderOf(Put("NamedRaw" + std::string(name) + ".raw", Bytes(2)));
+    ASSERT_EQ(reader->GetOutput()->GetNumberOfPoints(), Voxels) << name;
+    EXPECT_EQ(reader->GetOutput()->GetScalarComponentAsDouble(1, 0, 0, 0), 256 * 2 + 3) << name;
+    EXPECT_NE(std::string(reader->GetNote(0)).find("big endian"), std::string::npos) << name;
+  }
+}
+
 TEST(NamedRawVolumes, WithoutADimensionOrATypeThereIsOneError)
 {
   const std::string expected = "expected one such as skull_256x256x256_uint8.raw";
@@ -74,6 +91,9 @@ TEST(NamedRawVolumes, WithoutADimensionOrATypeThereIsOneError)
   ExpectRefused(Put("NamedRaw_7x5_uint8.raw", Bytes(1)), { expected });
   ExpectRefused(Put("NamedRaw_7x5x6x2_uint8.raw", Bytes(2)), { expected });
   ExpectRefused(Put("NamedRaw_7x5x0_uint8.raw", Bytes(1)), { expected });
+  ExpectRefused(Put("NamedRaw_7x5x6_float16.raw", Bytes(2)), { "its name says 'float16'", "float32" });
+  ExpectRefused(Put("NamedRaw_7x5x6_rgb.raw", Bytes(2)), { "its name says 'rgb'" });
+  ExpectRefused(Put("NamedRaw_int8_to_uint8_7x5x6.raw", Bytes(1)), { "its name says 'uint8' and 'int8'" });
   ExpectRefused(Put("NamedRawFour_7x5x6.raw", Bytes(4)), { expected });
   ExpectRefused(
     Put("NamedRaw_7x5x7_uint8.raw", Bytes(1)), { "it has 210 bytes, but 7 x 5 x 7 unsigned char needs 245" });
