@@ -2,6 +2,7 @@
 // Some of an image's points: where they stand, and what they have.
 #include "InkSubsample.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -89,4 +90,29 @@ TEST(Subsample, BetweenPointsWhereThatIsSaid)
     EXPECT_NEAR(place[axis], expected[axis], 1e-12);
   }
   EXPECT_EQ(some->GetPointData()->GetScalars()->GetTuple1(1), 3 + 9 * (2 + 7 * 4));
+}
+
+TEST(Subsample, ArraysThatAreTooShortAreLeftOut)
+{
+  const auto image = MakeImage();
+  vtkNew<vtkDoubleArray> little;
+  little->SetName("little");
+  little->SetNumberOfTuples(3);
+  image->GetPointData()->AddArray(little);
+  const std::array<InkSubsampledAxis, 3> axes = { { { { 0, 8 }, 0.0, 8.0 }, { { 6 }, 6.0, 1.0 },
+    { { 4 }, 4.0, 1.0 } } };
+  const auto some = InkSubsample(image, axes);
+  EXPECT_EQ(some->GetNumberOfPoints(), 2);
+  EXPECT_FALSE(some->GetPointData()->HasArray("little"));
+  EXPECT_EQ(some->GetPointData()->GetNumberOfArrays(), 2);
+}
+
+TEST(Subsample, ImagesWithArraysOfCellsStayAsTheyAre)
+{
+  const auto image = MakeImage();
+  vtkNew<vtkDoubleArray> ofCells;
+  ofCells->SetName("cells");
+  ofCells->SetNumberOfTuples(image->GetNumberOfCells());
+  image->GetCellData()->AddArray(ofCells);
+  EXPECT_EQ(InkSubsample(image, {}), image);
 }
