@@ -23,8 +23,8 @@ using Changes = std::vector<char>;
 
 constexpr std::size_t fewestBorders = 16;
 constexpr double leastShown = 0.8; ///< of the borders between blocks
-constexpr double mostBeside =
-  0.75; ///< how far a border is from the grid's: half a sample, and what the fit is off
+/// How far borders are from the grid's: half a sample, and what the fit is off.
+constexpr double mostBeside = 0.75;
 constexpr double leastDifferent = 0.25; ///< of the borders; of what is symmetric, half are
 
 Changes noChanges(int samples)

@@ -19,6 +19,7 @@
 #include <map>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -39,20 +40,30 @@ bool IsNumber(int type)
   }
 }
 
+/// All parts of a text that an expression matches, each with its groups, in lower case.
+std::vector<std::vector<std::string>> findAll(const Pattern& pattern, std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  std::vector<std::vector<std::string>> found;
+  for (std::vector<std::string> match = pattern.search(text); !match.empty(); match = pattern.search(text))
+  {
+    text = text.substr(text.find(match[0]) + match[0].size());
+    found.push_back(std::move(match));
+  }
+  return found;
+}
+
 using Dimensions = std::array<int, 3>;
 
 /// All that a name says of sizes, as 256x256x128.
 std::vector<Dimensions> findDimensions(const std::string& name)
 {
   // A dot before it may be a decimal's.
-  static const Pattern pattern(
-    R"((?:^|[^a-z0-9.]|[^0-9]\.)(\d{1,6})x(\d{1,6})x(\d{1,6})(?![a-z0-9]))", /*ignoreCase=*/true);
+  static const Pattern sizes(R"((?:^|[^a-z0-9.]|[^0-9]\.)(\d{1,6})x(\d{1,6})x(\d{1,6})(?![a-z0-9]))");
   std::vector<Dimensions> found;
-  std::string rest = name;
-  for (std::vector<std::string> match = pattern.search(rest); !match.empty(); match = pattern.search(rest))
+  for (const std::vector<std::string>& match : findAll(sizes, name))
   {
     found.push_back({ std::stoi(match[1]), std::stoi(match[2]), std::stoi(match[3]) });
-    rest = rest.substr(rest.find(match[0]) + match[0].size());
   }
   return found;
 }
@@ -62,6 +73,11 @@ double countVoxels(const Dimensions& dimensions)
   return static_cast<double>(dimensions[0]) * dimensions[1] * dimensions[2];
 }
 
+double bytesOf(const std::string& type)
+{
+  return vtkDataArray::GetDataTypeSize(numberTypes().at(type));
+}
+
 /// What a name says of its voxels' type.
 struct NamedType
 {
@@ -69,30 +85,17 @@ struct NamedType
   bool bigEndian = false;
 };
 
-/// @throws ReadError for words that are none of numberTypes(), as float16, and for two types
-NamedType findType(const std::string& name, const fs::path& file)
+/// @param bytesPerVoxel that the file has; 0: not known
+/// @throws ReadError for types that are none of numberTypes(), as float16, and for two types
+NamedType findType(const std::string& name, const fs::path& file, double bytesPerVoxel)
 {
-  static const std::map<std::string, std::string> otherNames{ { "byte", "uint8" }, { "uchar", "uint8" },
-    { "char", "int8" }, { "ushort", "uint16" }, { "short", "int16" }, { "uint", "uint32" },
-    { "int", "int32" }, { "float", "float32" }, { "double", "float64" } };
-  static const Pattern pattern(
-    "(?:^|[^a-z0-9])(u?char|byte|u?short|double|(?:u?int|float|half|complex|rgba?)\\d*)(le|be)?(?![a-z0-9])",
-    /*ignoreCase=*/true);
-  static const Pattern bigEndian("(?:^|[^a-z])(big.?endian|msb|be)(?![a-z])", /*ignoreCase=*/true);
-  const auto lower = [](std::string word)
+  static const Pattern types(
+    "(?:^|[^a-z0-9])((?:u?int|float)\\d+|half|complex\\d*|rgba?\\d*)(le|be)?(?![a-z0-9])");
+  static const Pattern bigEndian("(?:^|[^a-z])(big.?endian|msb|be)(?![a-z])");
+  NamedType type{ "", !findAll(bigEndian, name).empty() };
+  for (const std::vector<std::string>& said : findAll(types, name))
   {
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    return word;
-  };
-  NamedType type;
-  type.bigEndian = !bigEndian.search(name).empty();
-  std::string rest = name;
-  for (std::vector<std::string> match = pattern.search(rest); !match.empty(); match = pattern.search(rest))
-  {
-    const std::string said = lower(match[1]);
-    const auto other = otherNames.find(said);
-    const std::string usual = other == otherNames.end() ? said : other->second;
-    if (!numberTypes().contains(usual) || (!type.name.empty() && type.name != usual))
+    if (!numberTypes().contains(said[1]) || (!type.name.empty() && type.name != said[1]))
     {
       std::string expected;
       for (const auto& [one, id] : numberTypes())
@@ -100,12 +103,29 @@ NamedType findType(const std::string& name, const fs::path& file)
         expected += " " + one;
       }
       failToRead(file,
-        "its name says '" + match[1] + "'" + (type.name.empty() ? "" : " and '" + type.name + "'") +
+        "its name says '" + said[1] + "'" + (type.name.empty() ? "" : " and '" + type.name + "'") +
           "; expected one of" + expected);
     }
-    type.name = usual;
-    type.bigEndian = type.bigEndian || lower(match[2]) == "be";
-    rest = rest.substr(rest.find(match[0]) + match[0].size());
+    type.name = said[1];
+    type.bigEndian = type.bigEndian || said[2] == "be";
+  }
+  if (!type.name.empty() || bytesPerVoxel == 0.0)
+  {
+    return type;
+  }
+  // Words that mean other things, too, count where they fit.
+  static const std::map<std::string, std::string> words{ { "byte", "uint8" }, { "uchar", "uint8" },
+    { "char", "int8" }, { "ushort", "uint16" }, { "short", "int16" }, { "uint", "uint32" },
+    { "int", "int32" }, { "float", "float32" }, { "double", "float64" } };
+  static const Pattern word("(?:^|[^a-z0-9])(u?char|byte|u?short|u?int|float|double)(?![a-z0-9])");
+  for (const std::vector<std::string>& said : findAll(word, name))
+  {
+    const std::string& meant = words.at(said[1]);
+    type.name = bytesOf(meant) == bytesPerVoxel ? meant : type.name;
+  }
+  if (type.name.empty())
+  {
+    type.name = bytesPerVoxel == 1.0 ? "uint8" : bytesPerVoxel == 2.0 ? "uint16" : "";
   }
   return type;
 }
@@ -155,27 +175,21 @@ VolumeHeader readNamedRawHeader(const fs::path& file)
 {
   const std::string name = file.filename().string();
   const std::vector<Dimensions> sizes = findDimensions(name);
-  NamedType type = findType(name, file);
   // Compressed, a file's size says nothing.
   const double bytes = FirstBytes(file, 1).compressed ? 0.0 : static_cast<double>(fs::file_size(file));
-  if (type.name.empty() && !sizes.empty() && bytes > 0.0)
-  {
-    const double perVoxel = bytes / countVoxels(sizes.front());
-    type.name = perVoxel == 1.0 ? "uint8" : perVoxel == 2.0 ? "uint16" : "";
-  }
-  if (type.name.empty() || sizes.empty() || countVoxels(sizes.front()) == 0.0)
+  const double voxels = sizes.empty() ? 0.0 : countVoxels(sizes.front());
+  const NamedType type = findType(name, file, voxels > 0.0 ? bytes / voxels : 0.0);
+  if (type.name.empty() || voxels == 0.0)
   {
     failToRead(file,
       "its name does not say what is in it; expected one such as skull_256x256x256_uint8.raw, or Raw "
       "(--raw)");
   }
-  const int id = numberTypes().at(type.name);
   // A name may tell of other sizes, too.
-  const auto fits = [&](const Dimensions& size)
-  { return countVoxels(size) * vtkDataArray::GetDataTypeSize(id) == bytes; };
-  const auto fitting = std::find_if(sizes.begin(), sizes.end(), fits);
+  const auto fitting = std::find_if(sizes.begin(), sizes.end(),
+    [&](const Dimensions& size) { return countVoxels(size) * bytesOf(type.name) == bytes; });
   const Dimensions& size = fitting == sizes.end() ? sizes.front() : *fitting;
-  VolumeHeader header = rawHeader(file, size.data(), id, type.bigEndian);
+  VolumeHeader header = rawHeader(file, size.data(), numberTypes().at(type.name), type.bigEndian);
   header.notes.push_back("what is in it is taken from its name: " + formatDimensions(size.data()) + " " +
     type.name +
     (header.voxels.valueSize() == 1 ? ""

@@ -43,6 +43,8 @@ TEST(NamedRawVolumes, AsTheirNamesSay)
     { " (7x5x6, float64).raw", VTK_DOUBLE },
     { "_7x5x6.raw", VTK_UNSIGNED_CHAR },
     { "_7x5x6_short.raw", VTK_SHORT },
+    { "_double_pendulum_7x5x6.raw", VTK_UNSIGNED_CHAR },
+    { "_short_bone_7x5x6_uint8.raw", VTK_UNSIGNED_CHAR },
     { "_1x1x1mm_7x5x6_uint8.raw", VTK_UNSIGNED_CHAR },
     { "_1x1x1_7x5x6_uint8.raw", VTK_UNSIGNED_CHAR },
     { "_0.5x1x2_7x5x6_uint8.raw", VTK_UNSIGNED_CHAR },
