@@ -220,19 +220,24 @@ std::array<RepeatedSamples, 3> findRepeatedSamples(
     const auto* values = static_cast<const decltype(sample)*>(samples);
     const std::array changes = findChanges(values, dimensions);
     std::array<RepeatedSamples, 3> found;
-    std::array<RepeatedSamples, 3> none;
-    int axes = 0;
+    std::size_t axes = 0;
+    bool allDiffer = true;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      none[axis] = within({}, dimensions[axis]);
       found[axis] = within(fitBorders(changes[axis]), dimensions[axis]);
-      axes += found[axis].step > 1.0 ? 1 : 0;
     }
-    for (std::size_t axis = 0; axis < 3 && axes > 1; ++axis)
+    for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      axes = found[axis].step > 1.0 && !differ(values, dimensions, found, axis) ? 0 : axes;
+      const bool isRepeated = found[axis].step > 1.0;
+      axes += isRepeated ? 1 : 0;
+      allDiffer = allDiffer && (!isRepeated || differ(values, dimensions, found, axis));
     }
-    return axes > 1 ? found : none;
+    if (axes < 2 || !allDiffer)
+    {
+      std::transform(
+        dimensions.begin(), dimensions.end(), found.begin(), [](int count) { return within({}, count); });
+    }
+    return found;
   };
   switch (bytesPerSample)
   {

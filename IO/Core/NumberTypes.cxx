@@ -15,4 +15,14 @@ const std::map<std::string, int>& numberTypes()
   return types;
 }
 
+std::string listNumberTypes()
+{
+  std::string list;
+  for (const auto& [name, type] : numberTypes())
+  {
+    list += (list.empty() ? "" : " ") + name;
+  }
+  return list;
+}
+
 } // namespace ink::io

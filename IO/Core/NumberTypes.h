@@ -13,4 +13,7 @@ namespace ink::io
 /// float32, float64.
 VTKINKIOCORE_EXPORT const std::map<std::string, int>& numberTypes();
 
+/// Their names, separated by spaces.
+VTKINKIOCORE_EXPORT std::string listNumberTypes();
+
 } // namespace ink::io

@@ -100,7 +100,7 @@ vtkInkStyle::Input vtkInkStyle::TakeRepeats(const Input& input)
 {
   auto* image = vtkImageData::SafeDownCast(input.Data);
   const InkParameter* labels = this->GetParameterTable().Find("LabelMap");
-  if (!image || this->GetProcesses().GetNumber() > 1 || !labels ||
+  if (!image || input.HasNoRepeats || this->GetProcesses().GetNumber() > 1 || !labels ||
     this->GetParameterAsString(labels->Name) == "off")
   {
     return input;
@@ -192,6 +192,7 @@ std::string vtkInkStyle::MakeMarksOf(vtkInkStyle* part, const Input& input)
   const unsigned long observer = part->AddObserver(vtkCommand::ProgressEvent, command);
   Input known = input;
   known.Diagonal = this->DataDiagonal;
+  known.HasNoRepeats = true;
   std::string problem = part->MakeMarks(known);
   part->RemoveObserver(observer);
   this->Notes.insert(this->Notes.end(), part->Notes.begin(), part->Notes.end());

@@ -121,6 +121,7 @@ public:
     bool IsGathered = false;            ///< whether it is all processes' mesh, curved by now (CurvedMeshes)
     double Diagonal = 0.0;              ///< of the bounds of what it was made of; 0: its own
     vtkInkIsoSurfaceAlgorithm* Surfaces = nullptr; ///< in place of Data, see DrawSurfaces
+    bool HasNoRepeats = false; ///< whether Data has been looked at for samples that were repeated
   };
   /// As Make, for a part of the data of several processes, which all call this at once, also without data.
   /// @return what is wrong with the data, or went wrong; marks may be there all the same

@@ -23,12 +23,8 @@ RawLayout RawLayout::parse(const std::string& layout)
   const auto type = types.find(match[4]);
   if (type == types.end())
   {
-    std::string names;
-    for (const auto& [name, id] : types)
-    {
-      names += " " + name;
-    }
-    throw UsageError("--raw '" + layout + "': unknown type '" + match[4] + "'; expected one of" + names);
+    throw UsageError(
+      "--raw '" + layout + "': unknown type '" + match[4] + "'; expected one of " + io::listNumberTypes());
   }
   RawLayout result;
   result.type = type->second;

@@ -32,6 +32,22 @@ struct Grid
   {
     return (static_cast<std::size_t>(z) * this->size[1] + y) * this->size[0] + x;
   }
+  /// @param of the sample at x, y, z
+  template <class Of>
+  Grid(const Size& dimensions, const Of& of)
+    : Grid(dimensions)
+  {
+    for (int z = 0; z < this->size[2]; ++z)
+    {
+      for (int y = 0; y < this->size[1]; ++y)
+      {
+        for (int x = 0; x < this->size[0]; ++x)
+        {
+          this->at(x, y, z) = static_cast<Sample>(of(x, y, z));
+        }
+      }
+    }
+  }
   Sample& at(int x, int y, int z) { return this->samples[this->index(x, y, z)]; }
   Sample at(int x, int y, int z) const { return this->samples[this->index(x, y, z)]; }
   std::array<ink::RepeatedSamples, 3> find() const
@@ -44,40 +60,22 @@ struct Grid
 template <class Sample>
 Grid<Sample> makeBall(const Size& size)
 {
-  Grid<Sample> ball(size);
-  for (int z = 0; z < size[2]; ++z)
-  {
-    for (int y = 0; y < size[1]; ++y)
+  const auto away = [&](int index, std::size_t axis) { return (2 * index + 1.0) / size[axis] - 1.0; };
+  return { size,
+    [&](int x, int y, int z)
     {
-      for (int x = 0; x < size[0]; ++x)
-      {
-        const auto away = [&](int index, int axis) { return (2 * index + 1.0) / size[axis] - 1.0; };
-        const double radius = std::hypot(away(x, 0), away(y, 1), away(z, 2));
-        ball.at(x, y, z) = static_cast<Sample>(radius < 0.8 ? (x < size[0] / 2 ? 1 : 2) : 0);
-      }
-    }
-  }
-  return ball;
+      const double radius = std::hypot(away(x, 0), away(y, 1), away(z, 2));
+      return radius < 0.8 ? (x < size[0] / 2 ? 1 : 2) : 0;
+    } };
 }
 
 /// As resampling by nearest neighbors does it.
 template <class Sample>
-Grid<Sample> enlarge(Grid<Sample> small, const Size& size)
+Grid<Sample> enlarge(const Grid<Sample>& small, const Size& size)
 {
-  Grid<Sample> large(size);
-  for (int z = 0; z < size[2]; ++z)
-  {
-    for (int y = 0; y < size[1]; ++y)
-    {
-      for (int x = 0; x < size[0]; ++x)
-      {
-        const auto from = [&](int index, int axis)
-        { return static_cast<int>((index + 0.5) * small.size[axis] / size[axis]); };
-        large.at(x, y, z) = small.at(from(x, 0), from(y, 1), from(z, 2));
-      }
-    }
-  }
-  return large;
+  const auto from = [&](int index, std::size_t axis)
+  { return static_cast<int>((index + 0.5) * small.size[axis] / size[axis]); };
+  return { size, [&](int x, int y, int z) { return small.at(from(x, 0), from(y, 1), from(z, 2)); } };
 }
 
 template <class Sample>
@@ -133,17 +131,8 @@ TEST(RepeatedSamples, AlongTwoAxes)
 TEST(RepeatedSamples, WhereAPartWasCutOut)
 {
   const Grid<std::uint8_t> whole = enlarge(makeBall<std::uint8_t>({ 40, 40, 40 }), { 160, 160, 160 });
-  Grid<std::uint8_t> part({ 100, 160, 160 });
-  for (int z = 0; z < 160; ++z)
-  {
-    for (int y = 0; y < 160; ++y)
-    {
-      for (int x = 0; x < 100; ++x)
-      {
-        part.at(x, y, z) = whole.at(x + 30, y, z);
-      }
-    }
-  }
+  const Grid<std::uint8_t> part(
+    { 100, 160, 160 }, [&](int x, int y, int z) { return whole.at(x + 30, y, z); });
   const ink::RepeatedSamples found = part.find()[0];
   // Blocks begin at 32, 36, ...; of the one before, two samples are left, whose middle is at the border.
   EXPECT_EQ(found.step, 4.0);
@@ -167,29 +156,19 @@ TEST(RepeatedSamples, NothingWhereNothingWas)
   expectNone(noise);
   // Shapes whose flat sides stand on a regular grid because that is how they were made.
   const Size size{ 192, 192, 192 };
-  Grid<std::uint8_t> fins(size);
-  Grid<std::uint8_t> lattice(size);
-  Grid<std::uint8_t> board(size);
-  Grid<std::uint8_t> stairs(size);
-  for (int z = 0; z < size[2]; ++z)
-  {
-    for (int y = 0; y < size[1]; ++y)
-    {
-      for (int x = 0; x < size[0]; ++x)
-      {
-        const bool inside = x >= 10 && x < 180 && y >= 10 && y < 180 && z >= 10 && z < 180;
-        const int odd = (x / 4) % 2 + (y / 4) % 2 + (z / 4) % 2;
-        fins.at(x, y, z) = inside && (z < 40 || (x / 4) % 2 > 0) ? 1 : 0;
-        lattice.at(x, y, z) = odd > 1 ? 1 : 0;
-        board.at(x, y, z) = odd % 2 > 0 ? 1 : 0;
-        stairs.at(x, y, z) = inside && z / 4 < x / 4 ? 1 : 0;
-      }
-    }
-  }
-  expectNone(fins);
-  expectNone(lattice);
-  expectNone(board);
-  expectNone(stairs);
+  const auto expectNoneOf = [&](const auto& isInside)
+  { expectNone(Grid<std::uint8_t>(size, [&](int x, int y, int z) { return isInside(x, y, z) ? 1 : 0; })); };
+  const auto inside = [](int x, int y, int z)
+  { return x >= 10 && x < 180 && y >= 10 && y < 180 && z >= 10 && z < 180; };
+  const auto odd = [](int x, int y, int z) { return (x / 4) % 2 + (y / 4) % 2 + (z / 4) % 2; };
+  const auto fins = [&](int x, int y, int z) { return inside(x, y, z) && (z < 40 || (x / 4) % 2 > 0); };
+  const auto lattice = [&](int x, int y, int z) { return odd(x, y, z) > 1; };
+  const auto board = [&](int x, int y, int z) { return odd(x, y, z) % 2 > 0; };
+  const auto stairs = [&](int x, int y, int z) { return inside(x, y, z) && z / 4 < x / 4; };
+  expectNoneOf(fins);
+  expectNoneOf(lattice);
+  expectNoneOf(board);
+  expectNoneOf(stairs);
   // Repeated along one axis alone, as by slices that were copied.
   expectNone(enlarge(makeBall<std::uint8_t>({ 40, 40, 30 }), { 40, 40, 90 }));
   // Too few borders, and too few of a grid with this one and that one.

@@ -97,14 +97,9 @@ NamedType findType(const std::string& name, const fs::path& file, double bytesPe
   {
     if (!numberTypes().contains(said[1]) || (!type.name.empty() && type.name != said[1]))
     {
-      std::string expected;
-      for (const auto& [one, id] : numberTypes())
-      {
-        expected += " " + one;
-      }
       failToRead(file,
         "its name says '" + said[1] + "'" + (type.name.empty() ? "" : " and '" + type.name + "'") +
-          "; expected one of" + expected);
+          "; expected one of " + listNumberTypes());
     }
     type.name = said[1];
     type.bigEndian = type.bigEndian || said[2] == "be";
