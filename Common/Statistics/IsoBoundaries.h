@@ -40,7 +40,8 @@ struct IsoBoundary
   }
 };
 
-/// The clear boundaries, from the lowest to the highest, those of masks only if there are no others.
+/// The clear boundaries, from the lowest to the highest, those of masks only if there are no others,
+/// or small ones.
 std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const std::vector<double>& kept);
 
 /// Moves boundaries half way between the values of the materials on both sides, as far as they stay nearly as

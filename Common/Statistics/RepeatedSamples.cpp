@@ -90,7 +90,7 @@ std::array<Changes, 3> findChanges(const Sample* samples, const std::array<int, 
 }
 
 /// The grid whose borders these are, without its count; of step 1 if it is none.
-RepeatedSamples fitBorders(const Changes& changes)
+OriginalSamples fitBorders(const Changes& changes)
 {
   std::vector<int> borders;
   for (std::size_t i = 0; i < changes.size(); ++i)
@@ -151,11 +151,11 @@ RepeatedSamples fitBorders(const Changes& changes)
   }
   const bool shows = static_cast<double>(borders.size()) >= leastShown * (places.back() + 1.0);
   // A border is half a sample behind the one that it follows, the middle half a block behind the border.
-  return shows ? RepeatedSamples{ offset + 0.5 + 0.5 * step, step, 0 } : RepeatedSamples();
+  return shows ? OriginalSamples{ offset + 0.5 + 0.5 * step, step, 0 } : OriginalSamples();
 }
 
 /// Those whose middle is within the grid.
-RepeatedSamples within(RepeatedSamples repeated, int samples)
+OriginalSamples within(OriginalSamples repeated, int samples)
 {
   const double before = std::floor((repeated.first + 0.5) / repeated.step);
   repeated.first -= before * repeated.step;
@@ -166,9 +166,10 @@ RepeatedSamples within(RepeatedSamples repeated, int samples)
 /// Whether the samples that were repeated along an axis change as those of nothing that is made of blocks.
 template <class Sample>
 bool differ(const Sample* samples, const std::array<int, 3>& dimensions,
-  const std::array<RepeatedSamples, 3>& found, std::size_t axis)
+  const std::array<OriginalSamples, 3>& found, std::size_t axis)
 {
-  std::array indices{ found[0].indices(), found[1].indices(), found[2].indices() };
+  std::array indices{ found[0].indices(dimensions[0]), found[1].indices(dimensions[1]),
+    found[2].indices(dimensions[2]) };
   std::swap(indices[0], indices[axis]);
   std::array<std::size_t, 3> strides{ 1, static_cast<std::size_t>(dimensions[0]),
     static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]) };
@@ -201,25 +202,14 @@ bool differ(const Sample* samples, const std::array<int, 3>& dimensions,
 
 } // namespace
 
-std::vector<int> RepeatedSamples::indices() const
-{
-  std::vector<int> result(static_cast<std::size_t>(this->count));
-  for (int i = 0; i < this->count; ++i)
-  {
-    result[static_cast<std::size_t>(i)] =
-      std::max(static_cast<int>(std::ceil(this->first + i * this->step - 0.5)), 0);
-  }
-  return result;
-}
-
-std::array<RepeatedSamples, 3> findRepeatedSamples(
+std::array<OriginalSamples, 3> findRepeatedSamples(
   const void* samples, std::size_t bytesPerSample, const std::array<int, 3>& dimensions)
 {
   const auto find = [&](auto sample)
   {
     const auto* values = static_cast<const decltype(sample)*>(samples);
     const std::array changes = findChanges(values, dimensions);
-    std::array<RepeatedSamples, 3> found;
+    std::array<OriginalSamples, 3> found;
     std::size_t axes = 0;
     bool allDiffer = true;
     for (std::size_t axis = 0; axis < 3; ++axis)

@@ -5,11 +5,11 @@
 #include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkLeaves.h"
+#include "InkOriginalSamples.h"
 #include "InkParameter.h"
 #include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkStyleProcesses.h"
-#include "InkWithoutRepeats.h"
 #include "vtkInkSurfaceSampler.h"
 
 #include "Core/FormatNumber.h"
@@ -82,7 +82,7 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   }
   try
   {
-    std::string problem = this->MakePiecesOrSurfaces(this->TakeRepeats(input));
+    std::string problem = this->MakePiecesOrSurfaces(this->TakeOriginal(input));
     this->FramePoints = this->FramePoints ? this->FramePoints.Get() : this->GetPiece(0)->GetPoints();
     return problem;
   }
@@ -96,39 +96,64 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   }
 }
 
-vtkInkStyle::Input vtkInkStyle::TakeRepeats(const Input& input)
+vtkInkStyle::FoundOriginal vtkInkStyle::FindOriginal(
+  vtkImageData* image, const std::string& array, bool repeats, bool slices)
+{
+  FoundOriginal found{ image, image->GetMTime(), array, repeats, slices, nullptr, {} };
+  vtkSmartPointer<vtkImageData> original = image;
+  if (repeats)
+  {
+    original = InkWithoutRepeats(image, array);
+  }
+  const bool wasRepeated = original != image;
+  if (!wasRepeated && slices)
+  {
+    original = InkWithoutInterpolatedSlices(image, array);
+  }
+  if (original == image)
+  {
+    return found;
+  }
+  int voxels[3];
+  original->GetDimensions(voxels);
+  found.Note = std::string("the volume was enlarged by ") +
+    (wasRepeated ? "repeating voxels" : "interpolating slices") + "; it is drawn as the " +
+    ink::formatDimensions(voxels) + " that it was made of; " +
+    (wasRepeated ? "LabelMap" : "ShapeBasedInterpolation") + " off draws it as it is";
+  found.Source = vtkSmartPointer<vtkTrivialProducer>::New();
+  found.Source->SetOutput(original);
+  return found;
+}
+
+vtkInkStyle::Input vtkInkStyle::TakeOriginal(const Input& input)
 {
   auto* image = vtkImageData::SafeDownCast(input.Data);
-  const InkParameter* labels = this->GetParameterTable().Find("LabelMap");
-  if (!image || input.HasNoRepeats || this->GetProcesses().GetNumber() > 1 || !labels ||
-    this->GetParameterAsString(labels->Name) == "off")
+  if (!image || input.IsOriginal || this->GetProcesses().GetNumber() > 1)
   {
     return input;
   }
+  const auto is = [&](const char* parameter, const char* value)
+  {
+    const InkParameter* known = this->GetParameterTable().Find(parameter);
+    return known && this->GetParameterAsString(known->Name) == value;
+  };
+  const bool repeats = !is("LabelMap", "off");
+  const bool slices = is("ShapeBasedInterpolation", "auto") && this->DrawsSurfaces(input);
   const std::string array = this->GetParameterAsString("Scalars");
-  if (this->Repeats.Of != image || this->Repeats.Time != image->GetMTime() || this->Repeats.Array != array)
+  const bool isKnown = this->Original.Of == image && this->Original.Time == image->GetMTime() &&
+    this->Original.Array == array && this->Original.Repeats == repeats && this->Original.Slices == slices;
+  if (!isKnown)
   {
-    FoundRepeats found{ image, image->GetMTime(), array, nullptr };
-    const vtkSmartPointer<vtkImageData> without = InkWithoutRepeats(image, array);
-    if (without != image)
-    {
-      found.Source = vtkSmartPointer<vtkTrivialProducer>::New();
-      found.Source->SetOutput(without);
-    }
-    this->Repeats = found;
+    this->Original = this->FindOriginal(image, array, repeats, slices);
   }
-  if (!this->Repeats.Source)
+  if (!this->Original.Source)
   {
     return input;
   }
-  auto* used = vtkImageData::SafeDownCast(this->Repeats.Source->GetOutputDataObject(0));
-  int voxels[3];
-  used->GetDimensions(voxels);
-  this->AddNote("the volume was enlarged by repeating voxels; it is drawn as the " +
-    ink::formatDimensions(voxels) + " that it was made of; LabelMap off draws it as it is");
+  this->AddNote(this->Original.Note);
   Input result = input;
-  result.Data = used;
-  result.Port = input.Port ? this->Repeats.Source->GetOutputPort() : nullptr;
+  result.Data = this->Original.Source->GetOutputDataObject(0);
+  result.Port = input.Port ? this->Original.Source->GetOutputPort() : nullptr;
   return result;
 }
 
@@ -192,7 +217,7 @@ std::string vtkInkStyle::MakeMarksOf(vtkInkStyle* part, const Input& input)
   const unsigned long observer = part->AddObserver(vtkCommand::ProgressEvent, command);
   Input known = input;
   known.Diagonal = this->DataDiagonal;
-  known.HasNoRepeats = true;
+  known.IsOriginal = true;
   std::string problem = part->MakeMarks(known);
   part->RemoveObserver(observer);
   this->Notes.insert(this->Notes.end(), part->Notes.begin(), part->Notes.end());

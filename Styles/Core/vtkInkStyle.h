@@ -121,7 +121,7 @@ public:
     bool IsGathered = false;            ///< whether it is all processes' mesh, curved by now (CurvedMeshes)
     double Diagonal = 0.0;              ///< of the bounds of what it was made of; 0: its own
     vtkInkIsoSurfaceAlgorithm* Surfaces = nullptr; ///< in place of Data, see DrawSurfaces
-    bool HasNoRepeats = false; ///< whether Data has been looked at for samples that were repeated
+    bool IsOriginal = false; ///< whether Data has been looked at for samples that were made of others
   };
   /// As Make, for a part of the data of several processes, which all call this at once, also without data.
   /// @return what is wrong with the data, or went wrong; marks may be there all the same
@@ -314,6 +314,8 @@ protected:
   virtual vtkMTimeType GetRecipeMTime() = 0;
   /// Fills the pieces and returns what is wrong, or nothing.
   virtual std::string MakePieces(const Input& input) = 0;
+  /// Whether it is the surfaces of an image that are drawn, not its voxels.
+  virtual bool DrawsSurfaces(const Input&) const { return true; }
   /// What samples the surfaces of an image that is not in memory as a whole, as their points are all that is
   /// drawn; null where they are not.
   virtual InkIsoSurface* GetSampledSurface() { return nullptr; }
@@ -383,9 +385,12 @@ private:
   bool ReportProblem(const std::string& problem);
 
   std::string TryPieces(const Input& input);
-  /// The same, but of an image in memory that was enlarged by repeating samples what it was made of
-  /// (InkWithoutRepeats), unless LabelMap is off; with a note.
-  Input TakeRepeats(const Input& input);
+  /// The same, but of an image in memory that was enlarged what it was made of (InkOriginalSamples.h), with a
+  /// note: by repeating samples, unless LabelMap is off, or by interpolating slices, of which surfaces are
+  /// drawn and ShapeBasedInterpolation is automatic.
+  Input TakeOriginal(const Input& input);
+  struct FoundOriginal;
+  FoundOriginal FindOriginal(vtkImageData* image, const std::string& array, bool repeats, bool slices);
   void SetPicture(double& side, double pixels);
   double FindDiagonal(vtkDataObject* data);
   /// MakePieces, of points where there are surfaces in place of data.
@@ -394,16 +399,19 @@ private:
   /// Why so many points cannot be drawn; empty if they can.
   std::string FindMemoryProblem(vtkIdType points) const;
 
-  /// What TakeRepeats found last.
-  struct FoundRepeats
+  /// What TakeOriginal found last.
+  struct FoundOriginal
   {
     vtkWeakPointer<vtkImageData> Of;
     vtkMTimeType Time = 0;
     std::string Array;
+    bool Repeats = false; ///< whether these were looked for
+    bool Slices = false;
     vtkSmartPointer<vtkTrivialProducer> Source; ///< of the image to draw; null: it is that one
+    std::string Note;
   };
 
-  FoundRepeats Repeats;
+  FoundOriginal Original;
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   vtkSmartPointer<vtkPoints> FramePoints;
   vtkMTimeType TimeBeforeMaking = 0;

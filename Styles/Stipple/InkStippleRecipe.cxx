@@ -90,7 +90,8 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   const bool images = found[0] > 0.0;
   const bool stipples = found[1] > 0.0;
   style->OfImage = images;
-  const bool ofVoxels = images && !(this->TakesIsoSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
+  const bool ofVoxels =
+    images && !(this->Style->DrawsSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
   if (ofVoxels)
   {
     this->StippleVoxels(leaves, input);
@@ -162,13 +163,6 @@ void InkStippleRecipe::TakeColors(vtkDataSet* data, bool cells)
     style->MadeColorArray = name;
     style->MadeColorAssociation = association;
   }
-}
-
-bool InkStippleRecipe::TakesIsoSurfaces(const vtkInkStyle::Input& input) const
-{
-  // Of data that comes from a port, in ParaView say, no surface is chosen unasked.
-  return this->Style->StippleSource == vtkInkStippleStyle::ISO_SURFACE ||
-    (this->Style->StippleSource == vtkInkStippleStyle::AUTOMATIC && !input.Port);
 }
 
 bool InkStippleRecipe::StippleIsoSurfaces(const InkLeaves& leaves, const vtkInkStyle::Input& input)

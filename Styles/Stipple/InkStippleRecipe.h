@@ -50,8 +50,6 @@ private:
   void TakeStipples(const InkLeaves& leaves);
   /// Lets the generator pass on the array to color by, where the data has it.
   void TakeColors(vtkDataSet* data, bool cells);
-  /// Whether images are stippled by their iso-surfaces; the same on all processes.
-  bool TakesIsoSurfaces(const vtkInkStyle::Input& input) const;
   /// Activates the array to color ready stipples by.
   void ColorStipples(vtkCellData* cells);
   void Say(const std::string& problem);

@@ -114,6 +114,12 @@ vtkMTimeType vtkInkStippleStyle::GetRecipeMTime()
     { this->Generator->GetMTime(), this->IsoSurface->GetMTime(ofValues), this->Silhouettes->GetMTime() });
 }
 
+bool vtkInkStippleStyle::DrawsSurfaces(const Input& input) const
+{
+  // Of data that comes from a port, in ParaView say, no surface is chosen unasked.
+  return this->StippleSource == ISO_SURFACE || (this->StippleSource == AUTOMATIC && !input.Port);
+}
+
 void vtkInkStippleStyle::GetBackgroundColor(double color[3])
 {
   std::copy_n(this->PaperColor, 3, color);

@@ -139,6 +139,7 @@ protected:
 
   vtkMTimeType GetRecipeMTime() override;
   std::string MakePieces(const Input& input) override;
+  bool DrawsSurfaces(const Input& input) const override;
   void UpdatePixels() override;
   void FollowParameters(const Settings& given) override;
 

@@ -151,6 +151,22 @@ TEST(IsoValue, TakesTheEdgeOfAMaskIfThereIsNothingElse)
   EXPECT_LT(suggestion->value, 480.0);
 }
 
+TEST(IsoValue, TakesTheEdgeOfAMaskAroundWhatIsSmall)
+{
+  // As a tumor that contrast shows in a brain without its skull; it comes next.
+  const auto all = suggestAll(volume<short>(
+    [](double d, std::size_t i) { return d > 17 ? 0.0 : 500 + 600 * blurredSphere(d, 6) + 20 * noise(i); }));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_GT(all[0].value, 50.0);
+  EXPECT_LT(all[0].value, 480.0);
+  EXPECT_NEAR(all[1].value, 800.0, 100.0);
+  // Not around nothing, as where something was looked for within a mask.
+  const auto found = suggest(volume<short>([](double d, std::size_t i)
+    { return d > 17 ? -1.0 : (1 + 0.05 * noise(i)) * 600 * blurredSphere(d, 6); }));
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->value, 300.0, 100.0);
+}
+
 TEST(IsoValue, LeavesOutFragments)
 {
   // A filling: some hundred voxels, with more than enough edges to be a boundary.

@@ -50,7 +50,7 @@ struct Grid
   }
   Sample& at(int x, int y, int z) { return this->samples[this->index(x, y, z)]; }
   Sample at(int x, int y, int z) const { return this->samples[this->index(x, y, z)]; }
-  std::array<ink::RepeatedSamples, 3> find() const
+  std::array<ink::OriginalSamples, 3> find() const
   {
     return ink::findRepeatedSamples(this->samples.data(), sizeof(Sample), this->size);
   }
@@ -92,9 +92,9 @@ void expectFound(const Size& from, const Size& to)
     ASSERT_EQ(found[axis].count, from[axis]) << axis;
   }
   // Taken apart they are the samples that were repeated.
-  const std::vector<int> xs = found[0].indices();
-  const std::vector<int> ys = found[1].indices();
-  const std::vector<int> zs = found[2].indices();
+  const std::vector<int> xs = found[0].indices(large.size[0]);
+  const std::vector<int> ys = found[1].indices(large.size[1]);
+  const std::vector<int> zs = found[2].indices(large.size[2]);
   for (int z = 0; z < from[2]; ++z)
   {
     for (int y = 0; y < from[1]; ++y)
@@ -133,7 +133,7 @@ TEST(RepeatedSamples, WhereAPartWasCutOut)
   const Grid<std::uint8_t> whole = enlarge(makeBall<std::uint8_t>({ 40, 40, 40 }), { 160, 160, 160 });
   const Grid<std::uint8_t> part(
     { 100, 160, 160 }, [&](int x, int y, int z) { return whole.at(x + 30, y, z); });
-  const ink::RepeatedSamples found = part.find()[0];
+  const ink::OriginalSamples found = part.find()[0];
   // Blocks begin at 32, 36, ...; of the one before, two samples are left, whose middle is at the border.
   EXPECT_EQ(found.step, 4.0);
   EXPECT_NEAR(std::fmod(found.first + 30.0 - 1.5, 4.0), 0.0, 1e-12);
@@ -143,7 +143,7 @@ TEST(RepeatedSamples, NothingWhereNothingWas)
 {
   const auto expectNone = [](const auto& grid)
   {
-    for (const ink::RepeatedSamples& found : grid.find())
+    for (const ink::OriginalSamples& found : grid.find())
     {
       EXPECT_EQ(found.step, 1.0);
       EXPECT_EQ(found.first, 0.0);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes that were enlarged by repeating voxels are drawn as what they were made of.
+// Volumes that were enlarged by repeating voxels, or by interpolating slices, are drawn as what they were
+// made of.
 #include "StyleData.h"
 #include "StyleErrors.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInkSplattingLinesStyle.h"
+#include "vtkInkStippleStyle.h"
 #include "vtkInkStyle.h"
 #include "vtkMath.h"
 #include "vtkMatrix3x3.h"
@@ -18,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -55,6 +59,43 @@ vtkSmartPointer<vtkImageData> MakeEnlargedBall(double step)
   return image;
 }
 
+/// A ball with an edge as wide as a voxel, with noise, in slices that are so many voxels apart, others
+/// interpolated between them.
+vtkSmartPointer<vtkImageData> MakeBallOfSlices(double step)
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(Side, Side, Side);
+  vtkNew<vtkShortArray> values;
+  values->SetName("values");
+  const double center = 0.5 * (Side - 1);
+  std::minstd_rand random;
+  std::normal_distribution<double> noise(0.0, 10.0);
+  std::vector<double> scanned;
+  const int slices = static_cast<int>(Side / step) + 2;
+  for (int z = 0; z < slices; ++z)
+  {
+    for (int y = 0; y < Side; ++y)
+    {
+      for (int x = 0; x < Side; ++x)
+      {
+        const double radius = std::hypot(x - center, y - center, z * step - center);
+        scanned.push_back(1000.0 / (1.0 + std::exp(4.0 * (radius - Radius))) + noise(random));
+      }
+    }
+  }
+  constexpr std::size_t slice = static_cast<std::size_t>(Side) * Side;
+  for (std::size_t i = 0; i < slice * Side; ++i)
+  {
+    const double place = static_cast<double>(i / slice) / step;
+    const std::size_t below = static_cast<std::size_t>(place) * slice + i % slice;
+    const double share = place - std::floor(place);
+    values->InsertNextValue(
+      static_cast<short>((1.0 - share) * scanned[below] + share * scanned[below + slice]));
+  }
+  image->GetPointData()->SetScalars(values);
+  return image;
+}
+
 /// How far normals are off those of the ball (degrees, root mean square), and points off its surface.
 std::pair<double, double> FindErrors(vtkPolyData* points)
 {
@@ -80,7 +121,7 @@ std::string NoteOf(vtkInkStyle* style)
 {
   for (int i = 0; i < style->GetNumberOfNotes(); ++i)
   {
-    if (std::string(style->GetNote(i)).find("enlarged by repeating") != std::string::npos)
+    if (std::string(style->GetNote(i)).find("enlarged by") != std::string::npos)
     {
       return style->GetNote(i);
     }
@@ -112,6 +153,39 @@ TEST(EnlargedVolumes, SurfacesHaveNoBlocks)
     EXPECT_EQ(NoteOf(style), "") << step;
     EXPECT_GT(FindErrors(style->GetPiece(0)).first, 2.0 * angle) << step;
   }
+}
+
+TEST(EnlargedVolumes, SurfacesHaveNoTerraces)
+{
+  for (const double step : { 4.0, 6.24 })
+  {
+    const auto image = MakeBallOfSlices(step);
+    vtkNew<vtkInkSplattingLinesStyle> style;
+    style->SetParameterAsString("IsoValues", "500");
+    ASSERT_TRUE(style->Make(image));
+    const std::string slices = std::to_string(static_cast<int>(std::round((Side - 1) / step)) + 1);
+    EXPECT_NE(NoteOf(style).find("it is drawn as the 145 x 145 x " + slices), std::string::npos)
+      << NoteOf(style);
+    const auto [angle, distance] = FindErrors(style->GetPiece(0));
+    style->SetParameterAsString("ShapeBasedInterpolation", "off");
+    ASSERT_TRUE(style->Make(image));
+    EXPECT_EQ(NoteOf(style), "");
+    const auto [angleAsItIs, distanceAsItIs] = FindErrors(style->GetPiece(0));
+    EXPECT_LT(angle, 0.3 * angleAsItIs) << step;
+    EXPECT_LT(distance, distanceAsItIs) << step;
+  }
+}
+
+TEST(EnlargedVolumes, StipplesOfVoxelsTakeAllSlices)
+{
+  const auto image = MakeBallOfSlices(5.0);
+  vtkNew<vtkInkStippleStyle> style;
+  style->SetParameterAsString("StippleSource", "volume");
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_EQ(NoteOf(style), "");
+  style->SetParameterAsString("StippleSource", "surface");
+  ASSERT_TRUE(style->Make(image));
+  EXPECT_NE(NoteOf(style).find("interpolating slices"), std::string::npos);
 }
 
 TEST(EnlargedVolumes, OthersStayAsTheyAre)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Images that were enlarged by repeating their samples, as they were before.
-#ifndef InkWithoutRepeats_h
-#define InkWithoutRepeats_h
+// Images that were enlarged, as they were before.
+#ifndef InkOriginalSamples_h
+#define InkOriginalSamples_h
 
 #include "vtkInkFiltersCoreModule.h" // for the export macro
 #include "vtkSmartPointer.h"
@@ -17,6 +17,11 @@ class vtkImageData;
 /// @return the image itself where no more than two are equal along each axis, and where it has arrays of
 /// cells
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithoutRepeats(
+  vtkImageData* image, const std::string& array = {});
+
+/// An image with the slices alone that others were interpolated between (ink::findInterpolatedSlices), as
+/// InkWithoutRepeats.
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkWithoutInterpolatedSlices(
   vtkImageData* image, const std::string& array = {});
 
 #endif
