@@ -14,7 +14,7 @@ set(_ink_test_labels
   "streamlines:Streamline|LineSampleGrid|CrossField|AlignedLineField|CombDirections|PointGroups|SolidMesh|LongestBorder|BorderEdges|WeldedTriangles|SeenTriangles|TrianglesWithin|FlatDirections|FormDirections|CurvedMesh|FeatureSplit|InsideOut|MeshNavigation|RepeatedTriangles|LinesOfCurvature"
   "contours:Contours|EdgeOffsets|GridBorder|ChainSegments|CoherentDashes|ClusterPlanes|LargePages|NormalClusters|Silhouette(Voxels|s)|VoxelSegments"
   "raster:CommonTests.(Dash|Despeckle|Dilate|Thin|Trace)"
-  "statistics:IsoValue|IsoBoundaries|OtsuThreshold|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|KeepRange|CoveredSides|FilledBox|SliceCounter|SmoothedSlices|RepeatedSamples|InterpolatedSlices"
+  "statistics:IsoValue|IsoBoundaries|OtsuThreshold|IsoStatistics|MaterialValues|NoiseEstimate|Histogram|FiniteRange|KeepRange|CoveredSides|FilledBox|SliceCounter|SmoothedSlices|RepeatedSamples|InterpolatedSlices|Periodogram"
   "vdb:Vdb|VDB|vdb"
   "reading:DidYouMean|FormatNumber|FuzzCorpus|^IO(Core|Mesh|Volume)"
   "styles:^Styles"

@@ -56,6 +56,9 @@ constexpr double maskedShare = 0.09;
 // where that keeps less than this fraction of it: .001 to .14 in 11 brains; .31 and more where it is most of
 // what the mask left, in 10 others.
 constexpr double smallWithinMask = 1.0 / 6.0;
+// What is around something within a padded field of view is air, whose values vary by less than this: by
+// noise of 60 Hounsfield units, .1.
+constexpr double leastVaried = 0.125;
 
 // The first boundary is a haze around another one, as the foam that a head rests on, where its step times
 // what it keeps is less than this fraction of the other's: .29 and .41 of two, 1.46 and more of 25 other
@@ -178,12 +181,26 @@ bool isCutByMask(const IsoStatistics& statistics, std::size_t threshold)
     maskedShare * static_cast<double>(statistics.edges[threshold]);
 }
 
-/// Whether most of what lies above a threshold has one value, as where nothing was found within a mask.
-bool isMostlyOneValue(const IsoStatistics& statistics, std::size_t threshold)
+/// Whether the values between two thresholds vary as those of tissues do, not as those of air around
+/// something or where nothing was found: their middle half, by how far the upper threshold is from their
+/// median.
+bool isVaried(const IsoStatistics& statistics, std::size_t low, std::size_t high)
 {
-  const auto first = statistics.voxels.begin() + static_cast<std::ptrdiff_t>(threshold) + 1;
-  const auto all = std::accumulate(first, statistics.voxels.end(), std::int64_t{ 0 });
-  return 2 * *std::max_element(first, statistics.voxels.end()) > all;
+  const auto first = statistics.voxels.begin() + static_cast<std::ptrdiff_t>(low) + 1;
+  const auto last = statistics.voxels.begin() + static_cast<std::ptrdiff_t>(high) + 1;
+  const auto all = static_cast<double>(std::accumulate(first, last, std::int64_t{ 0 }));
+  const auto quantile = [&](double share)
+  {
+    double below = 0.0;
+    const auto bin = std::find_if(first, last,
+      [&](std::int64_t voxels)
+      {
+        below += static_cast<double>(voxels);
+        return below >= share * all;
+      });
+    return static_cast<double>(bin - statistics.voxels.begin());
+  };
+  return quantile(0.75) - quantile(0.25) >= leastVaried * (static_cast<double>(high) - quantile(0.5));
 }
 
 /// Whether a threshold belongs to the peaks of a smooth field.
@@ -285,17 +302,19 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
   std::erase_if(boundaries, [&](const IsoBoundary& one) { return isMask(statistics, one.index); });
   const std::size_t unmasked = boundaries.size();
   const bool areScraps = unmasked > 0 && speckShare(statistics, boundaries.front().index) > scrapShare;
-  const double within = unmasked > 0 ? kept[boundaries.front().index] : 0.0;
+  // Of the edge of a mask.
+  const auto isLeftOut = [&, front = unmasked > 0 ? boundaries.front().index : 0](std::size_t edge)
+  {
+    return unmasked > 0 &&
+      (areScraps || kept[front] >= smallWithinMask * kept[edge] || !isVaried(statistics, edge, front));
+  };
   // A mask hides boundaries; without what looks like its edge, others may no longer be prominent.
   for (const IsoBoundary& one :
     findBoundaries({ statistics.edges, statistics.steps }, statistics.speckEdges, kept))
   {
     const bool known = std::any_of(boundaries.begin(), boundaries.end(),
       [&one](const IsoBoundary& other) { return one.contains(other) || other.contains(one); });
-    const bool isLeftOut = isMask(statistics, one.index) &&
-      (areScraps || within >= smallWithinMask * kept[one.index] ||
-        (unmasked > 0 && isMostlyOneValue(statistics, one.index)));
-    if (!known && !isLeftOut)
+    if (!known && !(isMask(statistics, one.index) && isLeftOut(one.index)))
     {
       boundaries.push_back(one);
     }

@@ -100,15 +100,15 @@ vtkInkStyle::FoundOriginal vtkInkStyle::FindOriginal(
   vtkImageData* image, const std::string& array, bool repeats, bool slices)
 {
   FoundOriginal found{ image, image->GetMTime(), array, repeats, slices, nullptr, {} };
-  vtkSmartPointer<vtkImageData> original = image;
-  if (repeats)
-  {
-    original = InkWithoutRepeats(image, array);
-  }
+  vtkSmartPointer<vtkImageData> original = InkWithoutRepeats(image, array);
   const bool wasRepeated = original != image;
   if (!wasRepeated && slices)
   {
     original = InkWithoutInterpolatedSlices(image, array);
+  }
+  if (wasRepeated && !repeats)
+  {
+    return found;
   }
   if (original == image)
   {

@@ -385,9 +385,9 @@ private:
   bool ReportProblem(const std::string& problem);
 
   std::string TryPieces(const Input& input);
-  /// The same, but of an image in memory that was enlarged what it was made of (InkOriginalSamples.h), with a
-  /// note: by repeating samples, unless LabelMap is off, or by interpolating slices, of which surfaces are
-  /// drawn and ShapeBasedInterpolation is automatic.
+  /// The same, but with what an image in memory was made of, if it was enlarged (InkOriginalSamples.h), and a
+  /// note: by repeating samples, unless LabelMap is off, or by interpolating slices, if surfaces are drawn and
+  /// ShapeBasedInterpolation is automatic.
   Input TakeOriginal(const Input& input);
   struct FoundOriginal;
   FoundOriginal FindOriginal(vtkImageData* image, const std::string& array, bool repeats, bool slices);

@@ -155,11 +155,19 @@ TEST(IsoValue, TakesTheEdgeOfAMaskAroundWhatIsSmall)
 {
   // As a tumor that contrast shows in a brain without its skull; it comes next.
   const auto all = suggestAll(volume<short>(
-    [](double d, std::size_t i) { return d > 17 ? 0.0 : 500 + 600 * blurredSphere(d, 6) + 20 * noise(i); }));
+    [](double d, std::size_t i) { return d > 17 ? 0.0 : 500 + 900 * blurredSphere(d, 7) + 120 * noise(i); }));
   ASSERT_EQ(all.size(), 2U);
   EXPECT_GT(all[0].value, 50.0);
   EXPECT_LT(all[0].value, 480.0);
-  EXPECT_NEAR(all[1].value, 800.0, 100.0);
+  EXPECT_NEAR(all[1].value, 950.0, 150.0);
+  // Not of air around something in a padded field of view.
+  for (const double amount : { 3.0, 10.0, 30.0, 60.0 })
+  {
+    const auto scanned = suggest(volume<short>([amount](double d, std::size_t i)
+      { return d > 18 ? -3024.0 : -1000 + 1000 * blurredSphere(d, 7) + 2 * amount * noise(i); }));
+    ASSERT_TRUE(scanned);
+    EXPECT_NEAR(scanned->value, -500.0, 200.0) << amount;
+  }
   // Not around nothing, as where something was looked for within a mask.
   const auto found = suggest(volume<short>([](double d, std::size_t i)
     { return d > 17 ? -1.0 : (1 + 0.05 * noise(i)) * 600 * blurredSphere(d, 6); }));
