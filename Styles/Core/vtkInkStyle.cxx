@@ -106,11 +106,7 @@ vtkInkStyle::FoundOriginal vtkInkStyle::FindOriginal(
   {
     original = InkWithoutInterpolatedSlices(image, array);
   }
-  if (wasRepeated && !repeats)
-  {
-    return found;
-  }
-  if (original == image)
+  if (original == image || (wasRepeated && !repeats))
   {
     return found;
   }
