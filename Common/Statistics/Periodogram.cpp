@@ -12,8 +12,10 @@ namespace ink
 namespace
 {
 
-constexpr double leastProminence = 6.0; ///< of a frequency of which a multiple is more prominent
-constexpr double leastAmplitude = 0.5;  ///< of it, by that of the multiple
+// A frequency counts of which a multiple is more prominent, if it is so prominent itself, and has this
+// fraction of the multiple's amplitude.
+constexpr double prominentToo = 6.0;
+constexpr double amplitudeShare = 0.5;
 
 /// The powers of a periodogram at evenly spaced frequencies up to .5.
 class Powers
@@ -148,8 +150,8 @@ Periodogram::Peak Periodogram::findPeak(double lowest, double highest, int lengt
   {
     const double frequency = peak.frequency / divisor;
     const Peak lower = powers.highest(frequency - powers.resolution(), frequency + powers.resolution());
-    if (frequency > lowest && lower.prominence > leastProminence &&
-      this->amplitude(lower.frequency) > leastAmplitude * peak.amplitude)
+    if (frequency > lowest && lower.prominence > prominentToo &&
+      this->amplitude(lower.frequency) > amplitudeShare * peak.amplitude)
     {
       peak.frequency = lower.frequency;
       break;
