@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IsoSurface/CutSamples.h"
 
+#include "Core/OtherAxes.h"
 #include "Core/ParallelFor.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Resampling/TileResampler.h"
@@ -79,8 +80,8 @@ struct CutSide
 {
   CutSide(int across, bool isUpper)
     : axis(across)
-    , u(across == 0 ? 1 : 0)
-    , v(across == 2 ? 1 : 2)
+    , u(otherAxes(across)[0])
+    , v(otherAxes(across)[1])
     , upper(isUpper)
   {
   }

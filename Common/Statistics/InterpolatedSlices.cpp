@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/InterpolatedSlices.h"
 
+#include "Core/OtherAxes.h"
 #include "Core/ParallelFor.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Resampling/SliceDistances.h"
@@ -87,7 +88,7 @@ public:
     parallelFor(bends.tiles.size(),
       [&](std::size_t tile)
       {
-        const auto count = static_cast<std::size_t>(std::max(this->samples() - 2, 0));
+        const auto count = static_cast<std::size_t>(this->samples() - 2);
         Bends::Tile& own = bends.tiles[tile];
         own = { std::vector<double>(count), std::vector<double>(count) };
         this->forEachLine(tile, [&](glm::ivec3 sample) { this->add(sample, least, own); });
@@ -121,8 +122,7 @@ private:
   void forEachLine(std::size_t tile, const Visit& visit) const
   {
     const glm::ivec3& dimensions = this->Field.geometry().dimensions();
-    const int u = this->Axis == 0 ? 1 : 0;
-    const int v = this->Axis == 2 ? 1 : 2;
+    const auto [u, v] = otherAxes(this->Axis);
     const auto linesOf = [&](int axis) { return std::min(dimensions[axis], linesAcross); };
     // The one of so many that are as far apart as that goes.
     const auto lineOf = [&](int axis, int n) {

@@ -184,21 +184,15 @@ bool isCutByMask(const IsoStatistics& statistics, std::size_t threshold)
 /// Whether the values between two thresholds vary as those of tissues do, not as those of air around
 /// something or where nothing was found: their middle half, by how far the upper threshold is from their
 /// median.
-bool isVaried(const IsoStatistics& statistics, std::size_t low, std::size_t high)
+bool isVaried(const std::vector<double>& kept, std::size_t low, std::size_t high)
 {
-  const auto first = statistics.voxels.begin() + static_cast<std::ptrdiff_t>(low) + 1;
-  const auto last = statistics.voxels.begin() + static_cast<std::ptrdiff_t>(high) + 1;
-  const auto all = static_cast<double>(std::accumulate(first, last, std::int64_t{ 0 }));
   const auto quantile = [&](double share)
   {
-    double below = 0.0;
-    const auto bin = std::find_if(first, last,
-      [&](std::int64_t voxels)
-      {
-        below += static_cast<double>(voxels);
-        return below >= share * all;
-      });
-    return static_cast<double>(bin - statistics.voxels.begin());
+    const double above = kept[low] - share * (kept[low] - kept[high]);
+    const auto begin = kept.begin() + static_cast<std::ptrdiff_t>(low);
+    const auto end = kept.begin() + static_cast<std::ptrdiff_t>(high);
+    const auto found = std::partition_point(begin, end, [&](double one) { return one > above; });
+    return static_cast<double>(found - kept.begin());
   };
   return quantile(0.75) - quantile(0.25) >= leastVaried * (static_cast<double>(high) - quantile(0.5));
 }
@@ -306,7 +300,7 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
   const auto isLeftOut = [&, front = unmasked > 0 ? boundaries.front().index : 0](std::size_t edge)
   {
     return unmasked > 0 &&
-      (areScraps || kept[front] >= smallWithinMask * kept[edge] || !isVaried(statistics, edge, front));
+      (areScraps || kept[front] >= smallWithinMask * kept[edge] || !isVaried(kept, edge, front));
   };
   // A mask hides boundaries; without what looks like its edge, others may no longer be prominent.
   for (const IsoBoundary& one :

@@ -158,11 +158,17 @@ Periodogram::Peak Periodogram::findPeak(double lowest, double highest, int lengt
     }
   }
   const double found = peak.frequency;
+  double highestPower = this->power(found);
   constexpr int refined = 64;
   for (int i = -refined; i <= refined; ++i)
   {
     const double near = found + powers.resolution() * i / refined;
-    peak.frequency = this->power(near) > this->power(peak.frequency) ? near : peak.frequency;
+    const double power = this->power(near);
+    if (power > highestPower)
+    {
+      highestPower = power;
+      peak.frequency = near;
+    }
   }
   peak.amplitude = this->amplitude(peak.frequency);
   return peak;

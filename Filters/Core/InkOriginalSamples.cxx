@@ -36,7 +36,7 @@ vtkDataArray* FindValues(vtkImageData* image, const std::string& array)
   return isFit ? values : nullptr;
 }
 
-/// @return the image itself where all its samples are further apart than original ones by no more than `most`
+/// @return the image itself where original samples are no more than `most` samples apart along each axis
 vtkSmartPointer<vtkImageData> Take(
   vtkImageData* image, const std::array<ink::OriginalSamples, 3>& original, double most)
 {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkCutSides.h"
 
+#include "Core/OtherAxes.h"
+
 #include "vtkImageData.h"
 #include "vtkPoints.h"
 
@@ -50,14 +52,16 @@ std::array<double, 6> InkFindCutSides(vtkImageData* image, vtkPoints* points)
       const double inside = side % 2 == 0 ? index[axis] - extent[side] : extent[side] - index[axis];
       if (inside <= Slack)
       {
-        covered[side].set(part[axis == 0 ? 1 : 0] + MostParts * part[axis == 2 ? 1 : 2]);
+        const auto [u, v] = ink::otherAxes(axis);
+        covered[side].set(part[u] + MostParts * part[v]);
       }
     }
   }
   std::array<double, 6> shares;
   for (int side = 0; side < 6; ++side)
   {
-    const int all = parts[side / 2 == 0 ? 1 : 0] * parts[side / 2 == 2 ? 1 : 2];
+    const auto [u, v] = ink::otherAxes(side / 2);
+    const int all = parts[u] * parts[v];
     shares[side] = static_cast<double>(covered[side].count()) / all;
   }
   return shares;

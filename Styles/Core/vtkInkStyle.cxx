@@ -135,6 +135,10 @@ vtkInkStyle::Input vtkInkStyle::TakeOriginal(const Input& input)
   };
   const bool repeats = !is("LabelMap", "off");
   const bool slices = is("ShapeBasedInterpolation", "auto") && this->DrawsSurfaces(input);
+  if (!repeats && !slices)
+  {
+    return input;
+  }
   const std::string array = this->GetParameterAsString("Scalars");
   const bool isKnown = this->Original.Of == image && this->Original.Time == image->GetMTime() &&
     this->Original.Array == array && this->Original.Repeats == repeats && this->Original.Slices == slices;

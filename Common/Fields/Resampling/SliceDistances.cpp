@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fields/Resampling/SliceDistances.h"
 
+#include "Core/OtherAxes.h"
 #include "Core/ParallelFor.h"
 #include "Fields/Grid/GridField.h"
 #include "Fields/Grid/RowReader.h"
@@ -24,12 +25,6 @@ namespace ink
 {
 namespace
 {
-
-/// The axes within slices across an axis.
-std::array<int, 2> axesWithin(int axis)
-{
-  return { axis == 0 ? 1 : 0, axis == 2 ? 1 : 2 };
-}
 
 /// The distances of a slice's samples from a contour. The state of one thread.
 class ContourDistances
@@ -229,7 +224,7 @@ double ThickSlices::ratio() const
 
 glm::ivec3 ThickSlices::samples() const
 {
-  const auto [u, v] = axesWithin(this->axis);
+  const auto [u, v] = otherAxes(this->axis);
   glm::ivec3 samples(0);
   samples[u] = static_cast<int>(std::ceil(this->reach / this->sides.x)) + 1;
   samples[v] = static_cast<int>(std::ceil(this->reach / this->sides.y)) + 1;
@@ -241,7 +236,7 @@ std::optional<ThickSlices> thickSlices(const glm::dvec3& spacing)
   const glm::dvec3 size = glm::abs(spacing);
   const glm::dvec3 ratios = size / std::min({ size.x, size.y, size.z });
   const int axis = ratios.x > std::max(ratios.y, ratios.z) ? 0 : ratios.y > ratios.z ? 1 : 2;
-  const auto [u, v] = axesWithin(axis);
+  const auto [u, v] = otherAxes(axis);
   // Surfaces at 56 degrees to the slices' axis, or less, move by no more from one to the next; the samples on
   // both sides of a contour are within reach.
   constexpr double steepness = 1.5;
@@ -256,7 +251,7 @@ std::vector<float> sliceDistances(const GridField<T>& field, double isoValue, bo
   const ThickSlices& slices, const Progress& progress)
 {
   const glm::ivec3& dimensions = field.geometry().dimensions();
-  const auto [u, v] = axesWithin(slices.axis);
+  const auto [u, v] = otherAxes(slices.axis);
   const std::array<std::size_t, 3> strides = { 1, static_cast<std::size_t>(dimensions.x),
     static_cast<std::size_t>(dimensions.x) * dimensions.y };
   const std::size_t along = strides[static_cast<std::size_t>(slices.axis)];
