@@ -156,6 +156,21 @@ double isoSurfaceSampleArea(const glm::dmat3& cell, const glm::dvec3& normal)
   return std::abs(glm::determinant(cell)) / (along.x + along.y + along.z);
 }
 
+double isoSurfaceSampleReach(const glm::dmat3& cell)
+{
+  double longest = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double side : { -1.0, 1.0 })
+    {
+      const glm::dvec3 diagonal = cell[axis] + side * cell[(axis + 1) % 3];
+      longest = std::max(longest, std::hypot(diagonal.x, diagonal.y, diagonal.z));
+    }
+  }
+  const double radius = isoSurfaceSampleRadius(cell);
+  return radius > 0.0 ? 0.5 * longest / radius : 0.0;
+}
+
 double isoSurfaceSampleRadius(const glm::dmat3& cell)
 {
   // The longest of the four diagonals, which differ if the axes are not orthogonal.

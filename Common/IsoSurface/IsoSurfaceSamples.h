@@ -88,6 +88,13 @@ double isoSurfaceSampleRadius(const GridGeometry& geometry);
 /// @param cell a cell's edges as columns, world units
 double isoSurfaceSampleRadius(const glm::dmat3& cell);
 
+/// The share of that radius within which discs leave no holes where a surface follows two axes of the grid,
+/// so that samples stand in rows: half of the longest diagonal of a cell's faces. sqrt(2/3) for cubes, nearly
+/// 1 for cells that are much longer than wide; 0 for a cell without a size. Where a surface is oblique,
+/// samples are closer, and it suffices, too.
+/// @param cell a cell's edges as columns
+double isoSurfaceSampleReach(const glm::dmat3& cell);
+
 /// The area of a flat surface per sample, on average: the cells that it crosses are those whose middle is no
 /// farther from it than half the width of a cell along its normal.
 /// @param cell a cell's edges as columns, world units

@@ -26,10 +26,6 @@ namespace ink
 namespace
 {
 
-// The part of its radius within which a disc has candidates: enough that those of a regular grid of points
-// leave no holes, and no more, as positions near the rim lie farther off the surface.
-constexpr float candidateReach = 0.82f;
-
 bool isUsable(const SurfaceDiscs& discs, std::size_t disc)
 {
   const float radius = discs.radii[disc];
@@ -73,14 +69,14 @@ public:
         const std::uint32_t disc = this->Order[i];
         this->Areas[i] = areaAt(discs, disc);
         this->Middles[i] = discs.centers[disc] * scale;
-        this->Sides[i] = { glm::normalize(discs.normals[disc]), candidateReach * discs.radii[disc] * scale };
+        this->Sides[i] = { glm::normalize(discs.normals[disc]), discs.reach * discs.radii[disc] * scale };
       });
   }
 
   std::span<const double> areas() const { return this->Areas; }
   std::span<const glm::vec3> middles() const { return this->Middles; }
   std::span<const std::uint64_t> ids() const { return this->Ids; }
-  float longest() const { return 2.0f * candidateReach * this->Largest; }
+  float longest() const { return 2.0f * this->Discs.reach * this->Largest; }
 
   struct Frame
   {

@@ -13,6 +13,10 @@
 namespace ink
 {
 
+/// Within it discs around the samples of cubic cells (isoSurfaceSampleReach) leave no holes; others' do, too,
+/// but for those of cells that are longer than wide.
+inline constexpr float reachOfCubes = 0.82f;
+
 /// Points of a surface with the discs around them that cover it, as an iso-surface's samples or a scan have
 /// them. All spans have one element per point.
 struct SurfaceDiscs
@@ -25,6 +29,9 @@ struct SurfaceDiscs
   std::span<const float> radii;
   /// Of the surface that each stands for, above 0, in the unit of the centers; empty: areaOfDisc.
   std::span<const float> areas{};
+  /// The share of the radii within which samples lie, 0 to 1: enough to leave no holes between the discs of
+  /// neighbors, and no more, as positions near a rim lie farther off the surface.
+  float reach = reachOfCubes;
 };
 
 /// A position on a disc.

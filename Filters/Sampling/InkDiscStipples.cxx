@@ -57,6 +57,12 @@ public:
   {
   }
 
+  /// See ink::SurfaceDiscs.
+  float FindReach() const
+  {
+    return std::max(ink::reachOfCubes, static_cast<float>(ink::isoSurfaceSampleReach(this->Cell)));
+  }
+
   double Find(const glm::dvec3& normal, double radius) const
   {
     // Other discs beside those of the cells may have been appended.
@@ -99,6 +105,7 @@ struct Discs
   std::vector<glm::vec3> Normals;
   std::vector<float> Radii;
   glm::dvec3 Middle{ 0.0 };
+  float Reach = ink::reachOfCubes;
 
   explicit Discs(vtkPolyData* points)
     : Areas(static_cast<std::size_t>(points->GetNumberOfPoints()))
@@ -112,6 +119,7 @@ struct Discs
     vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
     const DiscAreas areas(points);
     this->Middle = MiddleOf(points);
+    this->Reach = areas.FindReach();
     ink::parallelForEach(this->Centers.size(),
       [&](std::size_t i)
       {
@@ -148,7 +156,10 @@ struct Discs
       });
   }
 
-  ink::SurfaceDiscs Get() const { return { this->Centers, this->Normals, this->Radii, this->Areas }; }
+  ink::SurfaceDiscs Get() const
+  {
+    return { this->Centers, this->Normals, this->Radii, this->Areas, this->Reach };
+  }
 };
 
 std::vector<glm::vec3> VectorsOf(

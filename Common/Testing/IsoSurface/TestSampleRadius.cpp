@@ -98,6 +98,38 @@ TEST(SampleRadius, CoversPlanes)
   EXPECT_GT(widest, 0.9);
 }
 
+/// Where planes follow two axes, samples stand in rows, which are as far apart as cells are long.
+TEST(SampleRadius, ReachCoversPlanesAlongTheAxes)
+{
+  std::mt19937 random(5);
+  const auto unit = [&] { return 2.0 * (random() / 4294967296.0) - 1.0; };
+  for (const glm::dvec3& spacing : spacings)
+  {
+    const ink::GridGeometry g({ n, n, n }, -0.5 * (n - 1) * spacing, spacing);
+    const double radius = isoSurfaceSampleRadius(g);
+    const double reach = ink::isoSurfaceSampleReach(g.stepToWorld());
+    double widest = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      glm::dvec3 normal(0.0);
+      normal[axis] = 1.0;
+      const Plane plane{ 0.3 * spacing, normal };
+      const auto samples =
+        sampleIsoSurface(Volume<double>::from(g, [&](auto p) { return plane.value(p); }).field(), 0.0);
+      for (int i = 0; i < 500; ++i)
+      {
+        glm::dvec3 p = 0.25 * n * spacing * glm::dvec3(unit(), unit(), unit());
+        p[axis] = 0.3 * spacing[axis];
+        widest = std::max(widest, gap(samples, p, radius));
+      }
+    }
+    EXPECT_LT(widest, 1.001 * reach) << spacing.x << " " << spacing.y << " " << spacing.z;
+    EXPECT_GT(widest, 0.9 * reach) << spacing.x << " " << spacing.y << " " << spacing.z;
+  }
+  EXPECT_DOUBLE_EQ(ink::isoSurfaceSampleReach(glm::dmat3(1.0)), std::sqrt(2.0 / 3.0));
+  EXPECT_DOUBLE_EQ(ink::isoSurfaceSampleReach(glm::dmat3(0.0)), 0.0);
+}
+
 TEST(SampleRadius, CoversSpheres)
 {
   std::mt19937 random(11);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "IsoSurface/IsoSurfaceSamples.h"
 #include "PointSampling/DiscSamples.h"
 #include "PointSampling/PoissonDisk.h"
 #include "PointSampling/ProgressiveBlueNoise.h"
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -113,6 +115,43 @@ TEST(DiscSamples, EveryBeginningIsBlueNoiseWhateverThePoints)
         << cells << ' ' << share;
     }
   }
+}
+
+/// Of cells that are three times as long as wide, at several positions within them: rows do not show.
+TEST(DiscSamples, RowsOfLongCellsLeaveNoGaps)
+{
+  constexpr float length = 0.06f;
+  constexpr float width = length / 3.0f;
+  const glm::dmat3 cell(width, 0, 0, 0, width, 0, 0, 0, length);
+  Discs discs;
+  for (int row = 0; row < 16; ++row)
+  {
+    for (int column = 0; column < 50; ++column)
+    {
+      const glm::vec2 p = glm::vec2(static_cast<float>(column) * width, static_cast<float>(row) * length);
+      discs.add({ p - 0.5f, 0.0f }, { 0, 0, 1 }, static_cast<float>(ink::isoSurfaceSampleRadius(cell)));
+    }
+  }
+  const std::vector<float> areas(discs.centers.size(), width * length);
+  const auto rowsOf = [&](float reach)
+  {
+    const ink::SurfaceDiscs surface{ discs.centers, discs.normals, discs.radii, areas, reach };
+    std::array<double, 11> counts{}; // one in the middle between two rows
+    std::vector<glm::dvec3> found;
+    for (const ink::DiscSample& sample : ink::sampleDiscs(surface, 0.2 * width, ink::defaultCandidates, 1))
+    {
+      found.emplace_back(sample.position);
+    }
+    for (const glm::dvec3& p : inside(found))
+    {
+      const double along = (p.y + 0.5) / length;
+      ++counts[static_cast<std::size_t>(11.0 * (along - std::floor(along)))];
+    }
+    const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
+    return *least / *most;
+  };
+  EXPECT_GT(rowsOf(static_cast<float>(ink::isoSurfaceSampleReach(cell))), 0.8);
+  EXPECT_LT(rowsOf(ink::reachOfCubes), 0.5) << "gaps where the reach is that of cubes";
 }
 
 TEST(DiscSamples, NumberFollowsTheArea)
