@@ -69,6 +69,15 @@ constexpr double hazeShare = 0.7;
 // brighter. Vessels in angiography are sharper than that.
 constexpr double brightestKeeps = 0.05;
 constexpr double halfAsSharp = 0.5;
+// What keeps more than that, but less than this fraction of the voxels of a surface around it, is not the
+// outermost, such as bone, brain and fat within the skin in MR: .07 to .66 in nine scans. That surface has at
+// most so many times its area, .2 to 1.9 in these (lungs within a chest in CT: 2.6), and is at least so
+// sharp, compared with it: .2 to 1.5 (air that varies within two chests: .13), and keeps less than this
+// fraction of the volume, as noise that fills it does not.
+constexpr double mostWithin = 0.7;
+constexpr double largestAround = 2.0;
+constexpr double leastSharp = 1.0 / 6.0;
+constexpr double mostAround = 0.7;
 
 /// A finite local maximum that is prominent on both sides: the first and last threshold with its value.
 struct Maximum
@@ -223,37 +232,43 @@ bool isHaze(const IsoStatistics& statistics, const std::vector<double>& kept,
     [&](const IsoBoundary& other) { return weight(boundaries.front()) < hazeShare * weight(other); });
 }
 
-/// The surface around all of a material whose brightest spots alone have a boundary of their own: where the
-/// steps become larger from its edge up to those, none of the thresholds around it is the sharpest. It lies
-/// where the area is the least, nearly.
+/// The surface around all of what only brighter parts have a boundary of their own in, as the brightest spots
+/// of a material, or what is within the skin: where the steps become larger from its edge up to those, none
+/// of the thresholds around it is the sharpest. It lies where the area is the least, nearly.
+/// @param inner the lowest boundary
 std::optional<IsoBoundary> findSurfaceAround(
-  const IsoBoundary& spots, const IsoStatistics& statistics, const std::vector<double>& kept)
+  const IsoBoundary& inner, const IsoStatistics& statistics, const std::vector<double>& kept)
 {
   const std::vector<bool> noise = findNoisyThresholds(statistics.edges, statistics.speckEdges, kept);
-  std::size_t begin = spots.index;
+  std::size_t begin = inner.index;
   while (begin > 0 && !noise[begin - 1] && !isMask(statistics, begin - 1))
   {
     --begin;
   }
   // The area is small above the brightest material, too: here more of it follows.
   const std::vector<std::int64_t>& edges = statistics.edges;
-  std::size_t least = spots.index;
+  std::size_t least = inner.index;
   std::int64_t above = 0;
-  for (std::size_t i = spots.index; i-- > begin; above = std::max(above, edges[i]))
+  for (std::size_t i = inner.index; i-- > begin; above = std::max(above, edges[i]))
   {
     const bool isValley = mostArea * static_cast<double>(edges[i]) <= static_cast<double>(above);
-    least = isValley && (least == spots.index || edges[i] < edges[least]) ? i : least;
+    least = isValley && (least == inner.index || edges[i] < edges[least]) ? i : least;
   }
   std::size_t index = least;
-  while (index + 1 < spots.index &&
+  while (index + 1 < inner.index &&
     static_cast<double>(edges[index + 1]) <= mostArea * static_cast<double>(edges[least]))
   {
     ++index;
   }
-  const bool isWhole = least < spots.index && kept[spots.index] < brightestKeeps * kept[index] &&
-    meanStep(statistics, index) >= halfAsSharp * meanStep(statistics, spots.index) &&
-    speckShare(statistics, index) <= scrapShare && !isCutByMask(statistics, index) &&
-    !areTooMany(statistics.edges[index], statistics);
+  const bool isCut = isCutByMask(statistics, index);
+  const double part = kept[inner.index] / kept[index];
+  const double sharpness = meanStep(statistics, index) / meanStep(statistics, inner.index);
+  const bool isAround = part < brightestKeeps
+    ? sharpness >= halfAsSharp && !isCut
+    : part < (isCut ? smallWithinMask : mostWithin) && sharpness >= leastSharp && kept[index] < mostAround &&
+      static_cast<double>(edges[least]) <= largestAround * static_cast<double>(edges[inner.index]);
+  const bool isWhole = least < inner.index && isAround && speckShare(statistics, index) <= scrapShare &&
+    !areTooMany(edges[index], statistics);
   if (!isWhole)
   {
     return std::nullopt;

@@ -98,7 +98,7 @@ TEST(IsoBoundaries, TheBrightestSpotsAreWithinASurfaceThatIsWhole)
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0], 14.0) << "the highest threshold where the area is the least";
   EXPECT_NEAR(found[1], 85.0, 5.0);
-  EXPECT_EQ(boundariesOf(brightestAt85(20000)).size(), 1U) << "what keeps more is no spots";
+  EXPECT_EQ(boundariesOf(brightestAt85(200000)).size(), 1U) << "what keeps most is no spots";
   EXPECT_EQ(boundariesOf(brightestAt85(2000, 30)).size(), 1U)
     << "vessels are much sharper than what is around";
   ink::IsoStatistics masked = brightestAt85(2000);
@@ -108,6 +108,29 @@ TEST(IsoBoundaries, TheBrightestSpotsAreWithinASurfaceThatIsWhole)
     masked.maskSteps[i] = masked.steps[i] / 5;
   }
   EXPECT_EQ(boundariesOf(masked).size(), 1U) << "the edge of a field of view";
+}
+
+TEST(IsoBoundaries, WhatIsWithinASurfaceIsNotTheOutermost)
+{
+  const std::vector<double> found = boundariesOf(brightestAt85(20000, 30));
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0], 14.0) << "the highest threshold where the area is the least";
+  EXPECT_NEAR(found[1], 85.0, 5.0);
+  ink::IsoStatistics most = brightestAt85(20000, 30);
+  most.voxels[0] += 400000;
+  most.voxels[99] = 200000;
+  EXPECT_EQ(boundariesOf(most).size(), 1U) << "what keeps most of it is the same";
+  EXPECT_EQ(boundariesOf(brightestAt85(20000, 0)).size(), 1U) << "air that varies";
+  ink::IsoStatistics large = brightestAt85(20000, 30);
+  for (std::size_t i = 0; i < 40; ++i)
+  {
+    large.edges[i] *= 2;
+    large.steps[i] *= 2;
+  }
+  EXPECT_EQ(boundariesOf(large).size(), 1U) << "lungs have more area";
+  ink::IsoStatistics filled = brightestAt85(20000, 30);
+  filled.voxels[0] = 5000;
+  EXPECT_EQ(boundariesOf(filled).size(), 1U) << "noise that fills the volume";
 }
 
 TEST(IsoBoundaries, AHazeAroundABoundaryIsNone)

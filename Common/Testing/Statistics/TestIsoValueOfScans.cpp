@@ -253,6 +253,41 @@ TEST(IsoValueOfScans, OfTissueWithoutABoundaryIsBelowItsBrightParts)
   EXPECT_GT(suggestion->keptShare, 1.08 * static_cast<double>(kept) / static_cast<double>(values.size()));
 }
 
+TEST(IsoValueOfScans, IsTheSkinWhereTheBrainIsBrighter)
+{
+  // As in FLAIR: dark bone within dim skin, and a brain with folds, by which steps become larger up to it.
+  const auto values = volume<short>(
+    [](double d, std::size_t i)
+    {
+      const auto within = [&](double radius, double width)
+      { return std::clamp((radius - d) / width, 0.0, 1.0); };
+      const double w = waves(i);
+      return airOfMR(i) / 3.0 + (60.0 + 70.0 * (1.0 + w)) * within(21.0, 3.0) * (1.0 - within(18.0, 1.5)) +
+        (260.0 + 60.0 * w) * within(16.0 + 1.5 * w, 1.5);
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
+  EXPECT_LT(suggestion->value, 60.0);
+  EXPECT_GT(suggestion->value, 10.0);
+}
+
+TEST(IsoValueOfScans, OfVesselsInNoisyTissueIsTheirs)
+{
+  // As in an angiography, whose threshold by Otsu is between tissue and what is beside it.
+  const auto values = volume<short>(
+    [](double d, std::size_t i)
+    {
+      const double tissue = std::clamp(static_cast<double>(column(i)) / 24.0, 0.0, 1.0);
+      return 15.0 + 110.0 * tissue + 15.0 * noise(i) + 500.0 * std::exp(-d * d / 32.0);
+    });
+  const auto suggestion = suggest(values);
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, Boundary::None);
+  EXPECT_GT(suggestion->value, 160.0);
+  EXPECT_LT(suggestion->value, 400.0);
+}
+
 TEST(IsoValueOfScans, OfDifferencesAroundABackgroundOfZeroIsPositive)
 {
   // As statistics of a brain, cut out by a mask: no surface is where they change their sign.
