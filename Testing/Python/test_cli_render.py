@@ -108,8 +108,8 @@ def test_views_are_the_sides_of_the_subject(picture, volume_file):
     (["--elevation", -90], "bottom"), (["--view", "left", "--azimuth", -90], "front"), (["--azimuth", 360], "front")])
 @pytest.mark.one_build
 def test_angles_lead_from_view_to_view(picture, volume_file, arguments, view):
-    turned = picture(volume_file, "--iso", 100, *arguments)
-    named = picture(volume_file, "--iso", 100, "--view", view)
+    turned = picture(volume_file, *LINES, "--iso", 100, *arguments)
+    named = picture(volume_file, *LINES, "--iso", 100, "--view", view)
     assert np.abs(turned.astype(int) - named).mean() < 1
 
 
