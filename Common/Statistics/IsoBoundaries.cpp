@@ -70,7 +70,7 @@ constexpr double hazeShare = 0.7;
 constexpr double brightestKeeps = 0.05;
 constexpr double halfAsSharp = 0.5;
 // What keeps more than that, but less than this fraction of the voxels of a surface around it, is not the
-// outermost, such as bone, brain and fat within the skin in MR: .07 to .66 in nine scans. That surface has at
+// outermost, such as bone, brain and fat within the skin in MR: .07 to .68 in ten scans. That surface has at
 // most so many times its area, .2 to 1.9 in these (lungs within a chest in CT: 2.6), and is at least so
 // sharp, compared with it: .2 to 1.5 (air that varies within two chests: .13), and keeps less than this
 // fraction of the volume, as noise that fills it does not.
