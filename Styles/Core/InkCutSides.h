@@ -14,4 +14,8 @@ class vtkPoints;
 /// @return the lower side along the image's first axis, the upper one, those along the second, and the third
 std::array<double, 6> InkFindCutSides(vtkImageData* image, vtkPoints* points);
 
+/// The same of the sides of the box around the points, along the image's axes: of a block, about 1. Nothing
+/// where they lie within a voxel.
+std::array<double, 6> InkFindFlatSides(vtkImageData* image, vtkPoints* points);
+
 #endif

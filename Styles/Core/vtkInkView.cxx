@@ -179,6 +179,12 @@ void vtkInkView::ChooseForFrame(vtkPoints* frame)
       this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up, Slab);
     }
     this->TurnToCuts(covered);
+    // Straight ahead, of a block of its own no more than a rectangle is seen.
+    if (this->Name == "front" && !this->GivenAzimuth && !this->GivenElevation && this->Elevation == 0.0 &&
+      this->IsBlock(InkFindFlatSides(this->Image, frame)))
+    {
+      this->Name = BlockView;
+    }
   }
   this->Modified();
 }

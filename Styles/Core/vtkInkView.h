@@ -92,7 +92,8 @@ public:
    * one end of an image to the other then, as in scans of a few slices, shows no more than a cut there: it is
    * seen from its front or, where the cut is twice as large, from 45 degrees above that, or to the right of
    * its left. What covers more than half of the image's front, left and top, as a block that was cut out of a
-   * rock, is seen from the corner between them, "iso", unless an angle was set.
+   * rock, or of the box around it, as a block of its own, is seen from the corner between them, "iso", unless
+   * an angle was set.
    * @param frame the points that the picture is fitted to, see vtkInkStyle::GetFramePoints; null: none
    */
   void ChooseForFrame(vtkPoints* frame);
@@ -127,7 +128,7 @@ private:
 
   /// @param covered the shares of the image's sides that what is drawn covers, see InkFindCutSides
   void TurnToCuts(const std::array<double, 6>& covered);
-  /// Whether the image cuts out what is drawn as a block, of which BlockView shows three sides.
+  /// Whether what is drawn covers the three sides of a block that BlockView shows.
   bool IsBlock(const std::array<double, 6>& covered) const;
   /// Whether what is drawn reaches across the image in the direction of the view, so that both ends cut it.
   bool IsCutAcross(const std::array<double, 6>& covered) const;

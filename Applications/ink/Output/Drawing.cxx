@@ -172,7 +172,7 @@ std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
   const std::string& name = this->View->GetName();
   if (name != before && name == "iso")
   {
-    return { "what is drawn is cut out as a block, so it is seen from a corner; --view says otherwise" };
+    return { "what is drawn is a block, so it is seen from a corner; --view says otherwise" };
   }
   return name == before ? std::vector<std::string>()
                         : std::vector{ "what is drawn shows more from its " + name +

@@ -431,9 +431,9 @@ TEST(View, BlocksAreSeenFromACorner)
       for (int j = 0; j < size; ++j)
       {
         const double share = (j + 0.5) / size;
-        share < block.covered[0] ? add(i, last - 0.4, j) : add(i, last - 0.6, j);
-        share < block.covered[1] ? add(i, j, last - 0.4) : add(i, j, last - 0.6);
-        share < block.covered[2] ? add(last - 0.4, i, j) : add(last - 0.6, i, j);
+        share < block.covered[0] ? add(i, last - 0.4, j) : add(i, last - 1.6, j);
+        share < block.covered[1] ? add(i, j, last - 0.4) : add(i, j, last - 1.6);
+        share < block.covered[2] ? add(last - 0.4, i, j) : add(last - 1.6, i, j);
       }
     }
     vtkNew<vtkInkView> view;
@@ -459,6 +459,48 @@ TEST(View, BlocksAreSeenFromACorner)
     said->ChooseForFrame(frame);
     EXPECT_EQ(said->GetName(), "front");
   }
+}
+
+/// Within an image that they do not touch.
+TEST(View, BlocksOfTheirOwnAreSeenFromACorner)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 64);
+  image->SetDirectionMatrix(0.96, -0.28, 0.0, 0.28, 0.96, 0.0, 0.0, 0.0, 1.0);
+  const auto nameOf = [&](double round, double azimuth)
+  {
+    vtkNew<vtkPoints> frame;
+    constexpr int size = 33;
+    for (int side = 0; side < 6; ++side)
+    {
+      for (int n = 0; n < size * size; ++n)
+      {
+        const double u = n % size;
+        const double v = n / size;
+        const double middle = (size - 1) / 2.0;
+        const double bulge = round * (std::pow(u / middle - 1.0, 2.0) + std::pow(v / middle - 1.0, 2.0));
+        double index[3];
+        index[side / 2] = 15.3 + (side % 2 == 0 ? bulge : size - 1 - bulge);
+        index[(side / 2 + 1) % 3] = 15.3 + u;
+        index[(side / 2 + 2) % 3] = 15.3 + v;
+        double point[3];
+        image->TransformContinuousIndexToPhysicalPoint(index, point);
+        frame->InsertNextPoint(point);
+      }
+    }
+    vtkNew<vtkInkView> view;
+    if (azimuth != 0.0)
+    {
+      view->SetAzimuth(azimuth);
+    }
+    view->Choose(image);
+    view->ChooseForFrame(frame);
+    return view->GetName();
+  };
+  EXPECT_EQ(nameOf(0.0, 0.0), "iso");
+  EXPECT_EQ(nameOf(0.5, 0.0), "iso") << "its edges are round";
+  EXPECT_EQ(nameOf(4.0, 0.0), "front") << "its sides are bent";
+  EXPECT_EQ(nameOf(0.0, 10.0), "front") << "an angle was set";
 }
 
 TEST(View, FramesChangeNothingForMeshesAndWhereThereIsNone)
