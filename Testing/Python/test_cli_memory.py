@@ -513,3 +513,18 @@ def test_thick_slices(ink, refused, tmp_path):
     in_parts, notes = draw("4,1,1", LITTLE, "auto")
     assert "values are interpolated between slices, not contours, as memory has room for 21 slices at a time" in notes
     assert np.abs(in_parts - values["4,1,1"]).max() <= 1
+
+
+@pytest.mark.one_build
+def test_blocks_are_seen_from_a_corner(ink, tmp_path):
+    """Also where they are read a few slices at a time."""
+    voxels = np.zeros((280, 256, 256), np.uint8)
+    voxels[40:160, 60:200, 50:210] = 200
+    voxels.tofile(tmp_path / "v.raw")
+    pictures = []
+    for memory in (PLENTY, LITTLE):
+        result = ink("render", tmp_path / "v.raw", "--raw", "256x256x280:uint8", "--iso", 100, "--memory", memory, "--style",
+                     "splatting-lines", "--label-map", "off", "--smoothing", 0, "--size", 200, "-o", tmp_path / "picture.png")
+        assert result.code == 0 and "is a block, so it is seen from a corner" in result.err, result
+        pictures.append(ink_files.read_png(tmp_path / "picture.png").astype(int))
+    assert np.abs(pictures[0] - pictures[1]).max() <= 1 and pictures[0].min() < 100

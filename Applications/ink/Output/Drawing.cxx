@@ -2,6 +2,7 @@
 #include "Drawing.h"
 
 #include "Errors.h"
+#include "InkImageGrid.h"
 #include "Picture.h"
 #include "RenderCommand.h"
 #include "VtkMessages.h"
@@ -132,7 +133,13 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
   {
     view->SetElevation(this->Options.elevation.value_or(0.0));
   }
-  view->Choose(input.data, file.c_str());
+  // Of what is read in parts, how it lies.
+  vtkSmartPointer<vtkDataObject> data = input.data;
+  if (!data && input.image)
+  {
+    data = InkMakeFrame(input.image->GetOutputInformation(0));
+  }
+  view->Choose(data, file.c_str());
   vtkNew<vtkInkView> usual;
   std::vector<std::string> notes;
   if (!this->Options.up && view->GetUp() != usual->GetUp())
