@@ -13,8 +13,7 @@
 namespace ink
 {
 
-/// Within it discs around the samples of cubic cells (isoSurfaceSampleReach) leave no holes; others' do, too,
-/// but for those of cells that are longer than wide.
+/// Enough for cubic cells, and for discs of other origin; longer cells need more, see isoSurfaceSampleReach.
 inline constexpr float reachOfCubes = 0.82f;
 
 /// Points of a surface with the discs around them that cover it, as an iso-surface's samples or a scan have

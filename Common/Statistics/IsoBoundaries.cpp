@@ -69,14 +69,18 @@ constexpr double hazeShare = 0.7;
 // brighter. Vessels in angiography are sharper than that.
 constexpr double brightestKeeps = 0.05;
 constexpr double halfAsSharp = 0.5;
-// What keeps more than that, but less than this fraction of the voxels of a surface around it, is not the
-// outermost, such as bone, brain and fat within the skin in MR: .07 to .68 in ten scans. That surface has at
-// most so many times its area, .2 to 1.9 in these (lungs within a chest in CT: 2.6), and is at least so
-// sharp, compared with it: .2 to 1.5 (air that varies within two chests: .13), and keeps less than this
-// fraction of the volume, as noise that fills it does not.
+// What keeps less than this fraction of the voxels of a surface around it, but no less than the brightest
+// spots, is not the outermost either, such as bone, brain and fat within the skin in MR: .08 to .68 of seven
+// scans. That surface is halfAsSharp where it is around less than mostBright, as vessels and cells are within
+// what fades, and leastSharp elsewhere (.3 to .75; of air that varies around two chests, .13), its least area
+// at most so many times as large (1.9; lungs within a chest in CT, 2.6), its threshold at most this fraction
+// of the other one, from the lowest value (.26, as air is the lowest), and it keeps less than this fraction
+// of the volume, which noise fills.
 constexpr double mostWithin = 0.7;
-constexpr double largestAround = 2.0;
+constexpr double mostBright = 0.4;
 constexpr double leastSharp = 1.0 / 6.0;
+constexpr double largestAround = 2.0;
+constexpr double lowestPart = 0.5;
 constexpr double mostAround = 0.7;
 
 /// A finite local maximum that is prominent on both sides: the first and last threshold with its value.
@@ -260,15 +264,20 @@ std::optional<IsoBoundary> findSurfaceAround(
   {
     ++index;
   }
+  // What a mask cut out is no vessel within something.
   const bool isCut = isCutByMask(statistics, index);
   const double part = kept[inner.index] / kept[index];
-  const double sharpness = meanStep(statistics, index) / meanStep(statistics, inner.index);
-  const bool isAround = part < brightestKeeps
-    ? sharpness >= halfAsSharp && !isCut
-    : part < (isCut ? smallWithinMask : mostWithin) && sharpness >= leastSharp && kept[index] < mostAround &&
+  const bool isOfSpots = part < brightestKeeps;
+  const double sharpest = meanStep(statistics, inner.index);
+  const bool isSharp =
+    meanStep(statistics, index) >= (isCut || part >= mostBright ? leastSharp : halfAsSharp) * sharpest;
+  const bool isAround = isOfSpots
+    ? !isCut
+    : part < (isCut ? smallWithinMask : mostWithin) && kept[index] < mostAround &&
+      static_cast<double>(index) < lowestPart * static_cast<double>(inner.index) &&
       static_cast<double>(edges[least]) <= largestAround * static_cast<double>(edges[inner.index]);
-  const bool isWhole = least < inner.index && isAround && speckShare(statistics, index) <= scrapShare &&
-    !areTooMany(edges[index], statistics);
+  const bool isWhole = least < inner.index && isAround && isSharp &&
+    speckShare(statistics, index) <= scrapShare && !areTooMany(edges[index], statistics);
   if (!isWhole)
   {
     return std::nullopt;
@@ -351,7 +360,7 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
   {
     boundaries.erase(boundaries.begin());
   }
-  if (const auto around = findSurfaceAround(boundaries.front(), statistics, kept))
+  else if (const auto around = findSurfaceAround(boundaries.front(), statistics, kept))
   {
     boundaries.insert(boundaries.begin(), *around);
   }

@@ -335,7 +335,8 @@ IsoBoundary splitHistogram(
   const double higher = otsuFrom(static_cast<std::size_t>(otsu) + 1);
   const bool isAround = kept[static_cast<std::size_t>(otsu)] > mostOfSomething &&
     sharpness(higher) > sharperThanAround * sharpness(otsu);
-  if (!isNoise(higher) && (isAround || isNoise(otsu)))
+  // 0 where nothing is above to be split.
+  if (higher > otsu && !isNoise(higher) && (isAround || isNoise(otsu)))
   {
     otsu = higher;
   }

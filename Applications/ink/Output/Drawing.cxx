@@ -10,6 +10,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
+#include "vtkImageData.h"
 #include "vtkInkCameraFit.h"
 #include "vtkInkStyle.h"
 #include "vtkLight.h"

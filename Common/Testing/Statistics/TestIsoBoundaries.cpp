@@ -98,7 +98,7 @@ TEST(IsoBoundaries, TheBrightestSpotsAreWithinASurfaceThatIsWhole)
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0], 14.0) << "the highest threshold where the area is the least";
   EXPECT_NEAR(found[1], 85.0, 5.0);
-  EXPECT_EQ(boundariesOf(brightestAt85(200000)).size(), 1U) << "what keeps most is no spots";
+  EXPECT_EQ(boundariesOf(brightestAt85(200000)).size(), 1U) << "in what fills the volume";
   EXPECT_EQ(boundariesOf(brightestAt85(2000, 30)).size(), 1U)
     << "vessels are much sharper than what is around";
   ink::IsoStatistics masked = brightestAt85(2000);
@@ -110,27 +110,73 @@ TEST(IsoBoundaries, TheBrightestSpotsAreWithinASurfaceThatIsWhole)
   EXPECT_EQ(boundariesOf(masked).size(), 1U) << "the edge of a field of view";
 }
 
+/// Steps as above, of something that keeps half of the surface around it.
+ink::IsoStatistics halfWithin(std::int64_t stepAtEdge = 20)
+{
+  ink::IsoStatistics statistics = brightestAt85(0, stepAtEdge);
+  statistics.voxels[90] = 40000;
+  return statistics;
+}
+
 TEST(IsoBoundaries, WhatIsWithinASurfaceIsNotTheOutermost)
 {
-  const std::vector<double> found = boundariesOf(brightestAt85(20000, 30));
+  const std::vector<double> found = boundariesOf(halfWithin());
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0], 14.0) << "the highest threshold where the area is the least";
   EXPECT_NEAR(found[1], 85.0, 5.0);
-  ink::IsoStatistics most = brightestAt85(20000, 30);
+  EXPECT_EQ(boundariesOf(halfWithin(0)).size(), 1U) << "air that varies";
+  ink::IsoStatistics most = halfWithin();
   most.voxels[0] += 400000;
-  most.voxels[99] = 200000;
+  most.voxels[90] = 200000;
   EXPECT_EQ(boundariesOf(most).size(), 1U) << "what keeps most of it is the same";
-  EXPECT_EQ(boundariesOf(brightestAt85(20000, 0)).size(), 1U) << "air that varies";
-  ink::IsoStatistics large = brightestAt85(20000, 30);
+  ink::IsoStatistics large = halfWithin();
   for (std::size_t i = 0; i < 40; ++i)
   {
     large.edges[i] *= 2;
     large.steps[i] *= 2;
   }
   EXPECT_EQ(boundariesOf(large).size(), 1U) << "lungs have more area";
-  ink::IsoStatistics filled = brightestAt85(20000, 30);
-  filled.voxels[0] = 5000;
+  ink::IsoStatistics filled = halfWithin();
+  filled.voxels[0] = 22000;
   EXPECT_EQ(boundariesOf(filled).size(), 1U) << "noise that fills the volume";
+  ink::IsoStatistics high = halfWithin();
+  high.voxels[90] = 20000;
+  for (std::size_t i = 0; i < 76; ++i)
+  {
+    const std::int64_t step = high.steps[i] / high.edges[i];
+    high.edges[i] = i >= 50 && i < 55 ? 700 : 1000;
+    high.steps[i] = high.edges[i] * step;
+  }
+  EXPECT_EQ(boundariesOf(high).size(), 1U) << "tissue within tissue";
+}
+
+TEST(IsoBoundaries, WhatIsSharperThanWhatIsAroundItIsTheOutermostWhereItIsSmall)
+{
+  ink::IsoStatistics vessels = halfWithin(30);
+  vessels.voxels[90] = 10000;
+  EXPECT_EQ(boundariesOf(vessels).size(), 1U);
+  ink::IsoStatistics fat = halfWithin(60);
+  fat.voxels[90] = 10000;
+  EXPECT_EQ(boundariesOf(fat).size(), 2U);
+}
+
+/// But less than a sixth of it is no brain.
+TEST(IsoBoundaries, WhatIsWithinAMaskIsTheOutermost)
+{
+  const auto masked = [](std::int64_t voxelsWithin)
+  {
+    ink::IsoStatistics statistics = halfWithin(30);
+    statistics.voxels[90] = voxelsWithin;
+    for (std::size_t i = 0; i < 20; ++i)
+    {
+      statistics.maskEdges[i] = statistics.edges[i] / 5;
+      statistics.maskSteps[i] = statistics.steps[i] / 5;
+    }
+    return boundariesOf(statistics).size();
+  };
+  EXPECT_EQ(masked(40000), 1U);
+  EXPECT_EQ(masked(10000), 1U);
+  EXPECT_EQ(masked(5000), 2U);
 }
 
 TEST(IsoBoundaries, AHazeAroundABoundaryIsNone)

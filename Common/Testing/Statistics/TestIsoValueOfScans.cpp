@@ -275,17 +275,34 @@ TEST(IsoValueOfScans, IsTheSkinWhereTheBrainIsBrighter)
 TEST(IsoValueOfScans, OfVesselsInNoisyTissueIsTheirs)
 {
   // As in an angiography, whose threshold by Otsu is between tissue and what is beside it.
-  const auto values = volume<short>(
-    [](double d, std::size_t i)
-    {
-      const double tissue = std::clamp(static_cast<double>(column(i)) / 24.0, 0.0, 1.0);
-      return 15.0 + 110.0 * tissue + 15.0 * noise(i) + 500.0 * std::exp(-d * d / 32.0);
-    });
+  const auto suggestionFor = [](double brightness, double size, double noisy)
+  {
+    return suggest(volume<short>(
+      [&](double d, std::size_t i)
+      {
+        const double tissue = std::clamp(static_cast<double>(column(i)) / 24.0, 0.0, 1.0);
+        return 15.0 + 110.0 * tissue + noisy * noise(i) + brightness * std::exp(-0.5 * d * d / size / size);
+      }));
+  };
+  const auto vessels = suggestionFor(500.0, 4.0, 15.0);
+  ASSERT_TRUE(vessels);
+  EXPECT_EQ(vessels->boundary, Boundary::None);
+  EXPECT_GT(vessels->value, 160.0);
+  EXPECT_LT(vessels->value, 400.0);
+  const auto glow = suggestionFor(80.0, 12.0, 5.0);
+  ASSERT_TRUE(glow);
+  EXPECT_EQ(glow->boundary, Boundary::None);
+  EXPECT_LT(glow->value, 125.0);
+}
+
+TEST(IsoValueOfScans, OfDarkSpotsInWhatIsSaturatedIsBetweenBoth)
+{
+  // Otsu's threshold leaves one value above it, which cannot be split.
+  const auto values = volume<unsigned char>(
+    [](double, std::size_t i) { return noise(i) < 0.6 ? 255.0 : 100.0 + 60.0 * noise(i + 1000000); });
   const auto suggestion = suggest(values);
   ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::None);
-  EXPECT_GT(suggestion->value, 160.0);
-  EXPECT_LT(suggestion->value, 400.0);
+  EXPECT_GT(suggestion->value, 100.0);
 }
 
 TEST(IsoValueOfScans, OfDifferencesAroundABackgroundOfZeroIsPositive)

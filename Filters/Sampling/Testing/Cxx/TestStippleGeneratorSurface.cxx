@@ -20,6 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -236,6 +237,32 @@ TEST(StippleGeneratorSurface, NormalsPointOutOfASphere)
     onSphere->GetCellData()->GetNormals()->GetTuple(e, normal);
     EXPECT_GT(vtkMath::Dot(point, normal), 1.97) << "a normal out of the sphere";
   }
+}
+
+/// On a plane along slices that are three voxels apart, whose samples stand in rows.
+TEST(StippleGeneratorSurface, RowsOfThickSlicesLeaveNoGaps)
+{
+  const auto image = MakeImage(
+    VTK_FLOAT, { 0, 9, 0, 40, 0, 14 }, [](double x, double, double) { return x; }, { 1.0, 1.0, 3.0 });
+  vtkNew<vtkInkIsoSurfaceSampler> sampler;
+  sampler->SetInputData(image);
+  sampler->SetValue(0, 4.5);
+  sampler->Update();
+  const auto onPlane = Stipple(sampler->GetOutput(), 30000);
+  // One in the middle between two rows.
+  std::array<double, 11> counts{};
+  for (vtkIdType i = 0; i < onPlane->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    onPlane->GetPoint(i, point);
+    const double along = point[2] / 3.0 - 0.5;
+    if (along > 1.0 && along < 12.0)
+    {
+      ++counts[static_cast<std::size_t>(11.0 * (along - std::floor(along)))];
+    }
+  }
+  const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
+  EXPECT_GT(*least, 0.8 * *most);
 }
 
 /// Stipples of polygons that are smaller than these share lists, whose normals are theirs.
