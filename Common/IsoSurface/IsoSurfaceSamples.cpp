@@ -95,6 +95,28 @@ bool sampleAll(const GridField<T>& field, std::span<const double> isoValues, con
     : sampleSeveral<Work>(field, isoValues, options, selection, ranges, grow, counts, progress);
 }
 
+/// The longest diagonal of a cell's faces, or of the cell itself: these differ if the axes are not
+/// orthogonal.
+/// @param dimensions 2 or 3
+double longestDiagonal(const glm::dmat3& cell, int dimensions)
+{
+  double longest = 0.0;
+  for (const double x : { -1.0, 0.0, 1.0 })
+  {
+    for (const double y : { -1.0, 0.0, 1.0 })
+    {
+      for (const double z : { -1.0, 0.0, 1.0 })
+      {
+        const bool isDiagonal = x * x + y * y + z * z == dimensions;
+        const glm::dvec3 diagonal = cell * glm::dvec3(x, y, z);
+        // Avoids overflow and underflow of squares.
+        longest = isDiagonal ? std::max(longest, std::hypot(diagonal.x, diagonal.y, diagonal.z)) : longest;
+      }
+    }
+  }
+  return longest;
+}
+
 } // namespace
 
 template <class T, class Real>
@@ -156,35 +178,15 @@ double isoSurfaceSampleArea(const glm::dmat3& cell, const glm::dvec3& normal)
   return std::abs(glm::determinant(cell)) / (along.x + along.y + along.z);
 }
 
-double isoSurfaceSampleReach(const glm::dmat3& cell)
-{
-  double longest = 0.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (const double side : { -1.0, 1.0 })
-    {
-      const glm::dvec3 diagonal = cell[axis] + side * cell[(axis + 1) % 3];
-      longest = std::max(longest, std::hypot(diagonal.x, diagonal.y, diagonal.z));
-    }
-  }
-  const double radius = isoSurfaceSampleRadius(cell);
-  return radius > 0.0 ? 0.5 * longest / radius : 0.0;
-}
-
 double isoSurfaceSampleRadius(const glm::dmat3& cell)
 {
-  // The longest of the four diagonals, which differ if the axes are not orthogonal.
-  double longest = 0.0;
-  for (const double y : { -1.0, 1.0 })
-  {
-    for (const double z : { -1.0, 1.0 })
-    {
-      const glm::dvec3 diagonal = cell * glm::dvec3(1.0, y, z);
-      // Avoids overflow and underflow of squares.
-      longest = std::max(longest, std::hypot(diagonal.x, diagonal.y, diagonal.z));
-    }
-  }
-  return 0.5 * longest;
+  return 0.5 * longestDiagonal(cell, 3);
+}
+
+double isoSurfaceSampleReach(const glm::dmat3& cell)
+{
+  const double ofCell = longestDiagonal(cell, 3);
+  return ofCell > 0.0 ? longestDiagonal(cell, 2) / ofCell : 0.0;
 }
 
 #define INK_INSTANTIATE(T)                                                                                   \

@@ -71,16 +71,17 @@ constexpr double brightestKeeps = 0.05;
 constexpr double halfAsSharp = 0.5;
 // What keeps less than this fraction of the voxels of a surface around it, but no less than the brightest
 // spots, is not the outermost either, such as bone, brain and fat within the skin in MR: .08 to .68 of seven
-// scans. That surface is halfAsSharp where it is around less than mostBright, as vessels and cells are within
-// what fades, and leastSharp elsewhere (.3 to .75; of air that varies around two chests, .13), its least area
-// at most so many times as large (1.9; lungs within a chest in CT, 2.6), its threshold at most this fraction
-// of the other one, from the lowest value (.26, as air is the lowest), and it keeps less than this fraction
-// of the volume, which noise fills.
+// scans.
 constexpr double mostWithin = 0.7;
+// Around less than this fraction, as vessels and cells are of what fades, that surface is halfAsSharp.
 constexpr double mostBright = 0.4;
+// Elsewhere it is so sharp, compared with the other: .3 to .75; of air that varies around two chests, .13.
 constexpr double leastSharp = 1.0 / 6.0;
+// Its least area is at most so many times as large: 1.9; of lungs within a chest in CT, 2.6.
 constexpr double largestAround = 2.0;
+// Its threshold is at most this fraction of the other, from the lowest value, as air is the lowest: .26.
 constexpr double lowestPart = 0.5;
+// It keeps less than this fraction of the volume, which noise fills.
 constexpr double mostAround = 0.7;
 
 /// A finite local maximum that is prominent on both sides: the first and last threshold with its value.
@@ -236,6 +237,25 @@ bool isHaze(const IsoStatistics& statistics, const std::vector<double>& kept,
     [&](const IsoBoundary& other) { return weight(boundaries.front()) < hazeShare * weight(other); });
 }
 
+/// Whether the surface at a threshold is drawn, not what it is around.
+/// @param edges that cross the threshold of the least area nearby @param inner the lowest boundary
+bool isOutermost(const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t threshold,
+  std::int64_t edges, const IsoBoundary& inner)
+{
+  const double part = kept[inner.index] / kept[threshold];
+  // What a mask cut out is no vessel within something.
+  const bool isCut = isCutByMask(statistics, threshold);
+  const double sharpness = isCut || part >= mostBright ? leastSharp : halfAsSharp;
+  const bool isSharp = meanStep(statistics, threshold) >= sharpness * meanStep(statistics, inner.index);
+  if (part < brightestKeeps)
+  {
+    return isSharp && !isCut;
+  }
+  return isSharp && part < (isCut ? smallWithinMask : mostWithin) && kept[threshold] < mostAround &&
+    static_cast<double>(threshold) < lowestPart * static_cast<double>(inner.index) &&
+    static_cast<double>(edges) <= largestAround * static_cast<double>(statistics.edges[inner.index]);
+}
+
 /// The surface around all of what only brighter parts have a boundary of their own in, as the brightest spots
 /// of a material, or what is within the skin: where the steps become larger from its edge up to those, none
 /// of the thresholds around it is the sharpest. It lies where the area is the least, nearly.
@@ -264,20 +284,8 @@ std::optional<IsoBoundary> findSurfaceAround(
   {
     ++index;
   }
-  // What a mask cut out is no vessel within something.
-  const bool isCut = isCutByMask(statistics, index);
-  const double part = kept[inner.index] / kept[index];
-  const bool isOfSpots = part < brightestKeeps;
-  const double sharpest = meanStep(statistics, inner.index);
-  const bool isSharp =
-    meanStep(statistics, index) >= (isCut || part >= mostBright ? leastSharp : halfAsSharp) * sharpest;
-  const bool isAround = isOfSpots
-    ? !isCut
-    : part < (isCut ? smallWithinMask : mostWithin) && kept[index] < mostAround &&
-      static_cast<double>(index) < lowestPart * static_cast<double>(inner.index) &&
-      static_cast<double>(edges[least]) <= largestAround * static_cast<double>(edges[inner.index]);
-  const bool isWhole = least < inner.index && isAround && isSharp &&
-    speckShare(statistics, index) <= scrapShare && !areTooMany(edges[index], statistics);
+  const bool isWhole = least < inner.index && speckShare(statistics, index) <= scrapShare &&
+    !areTooMany(edges[index], statistics) && isOutermost(statistics, kept, index, edges[least], inner);
   if (!isWhole)
   {
     return std::nullopt;

@@ -326,21 +326,21 @@ IsoBoundary splitHistogram(
     std::fill_n(above.begin(), bin, 0);
     return otsuThreshold(above);
   };
+  const auto indexOf = [](double threshold) { return static_cast<std::size_t>(threshold); };
   const auto isNoise = [&](double threshold)
-  { return areTooMany(statistics.edges[static_cast<std::size_t>(threshold)], statistics); };
-  const auto sharpness = [&](double threshold)
-  { return meanStep(statistics, static_cast<std::size_t>(threshold)); };
+  { return areTooMany(statistics.edges[indexOf(threshold)], statistics); };
+  const auto sharpness = [&](double threshold) { return meanStep(statistics, indexOf(threshold)); };
   double otsu = otsuFrom(first);
   // Where it splits what is around something, that may be what is above.
-  const double higher = otsuFrom(static_cast<std::size_t>(otsu) + 1);
-  const bool isAround = kept[static_cast<std::size_t>(otsu)] > mostOfSomething &&
-    sharpness(higher) > sharperThanAround * sharpness(otsu);
+  const double higher = otsuFrom(indexOf(otsu) + 1);
+  const bool isAround =
+    kept[indexOf(otsu)] > mostOfSomething && sharpness(higher) > sharperThanAround * sharpness(otsu);
   // 0 where nothing is above to be split.
   if (higher > otsu && !isNoise(higher) && (isAround || isNoise(otsu)))
   {
     otsu = higher;
   }
-  const auto index = static_cast<std::size_t>(otsu);
+  const std::size_t index = indexOf(otsu);
   IsoBoundary split{ otsu, index, 0.0, index, index + 1 };
   const std::vector<bool> noise = findNoisyThresholds(statistics.edges, statistics.speckEdges, kept);
   while (split.begin > first && !noise[split.begin] && !noise[split.begin - 1])

@@ -3,6 +3,8 @@
 
 #include "Statistics/IsoValue.h"
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -63,6 +65,16 @@ std::optional<ink::IsoSuggestion> suggest(const std::vector<T>& values)
 {
   const auto all = suggestAll(values);
   return all.empty() ? std::nullopt : std::optional(all.front());
+}
+
+/// A suggestion of the kind, with a value between the limits.
+inline void expectBetween(const std::optional<ink::IsoSuggestion>& suggestion,
+  ink::IsoSuggestion::Boundary boundary, double low, double high)
+{
+  ASSERT_TRUE(suggestion);
+  EXPECT_EQ(suggestion->boundary, boundary);
+  EXPECT_GT(suggestion->value, low);
+  EXPECT_LT(suggestion->value, high);
 }
 
 } // namespace ink::testing::iso

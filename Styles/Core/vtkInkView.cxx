@@ -178,20 +178,17 @@ void vtkInkView::ChooseForFrame(vtkPoints* frame)
     {
       this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up, Slab);
     }
-    this->TurnToCuts(covered);
-    // Straight ahead, of a block of its own no more than a rectangle is seen.
-    if (this->Name == "front" && !this->GivenAzimuth && !this->GivenElevation && this->Elevation == 0.0 &&
-      this->IsBlock(InkFindFlatSides(this->Image, frame)))
-    {
-      this->Name = BlockView;
-    }
+    this->TurnToSides(covered, frame);
   }
   this->Modified();
 }
 
-void vtkInkView::TurnToCuts(const std::array<double, 6>& covered)
+void vtkInkView::TurnToSides(const std::array<double, 6>& covered, vtkPoints* frame)
 {
-  if (!this->GivenAzimuth && !this->GivenElevation && this->IsBlock(covered))
+  // Straight ahead, of a block of its own no more than a rectangle is seen.
+  const auto isOwnBlock = [&]
+  { return this->Name == "front" && this->IsBlock(InkFindFlatSides(this->Image, frame)); };
+  if (!this->GivenAzimuth && !this->GivenElevation && (this->IsBlock(covered) || isOwnBlock()))
   {
     this->Name = BlockView;
   }

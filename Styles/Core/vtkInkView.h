@@ -127,7 +127,8 @@ private:
   void operator=(const vtkInkView&) = delete;
 
   /// @param covered the shares of the image's sides that what is drawn covers, see InkFindCutSides
-  void TurnToCuts(const std::array<double, 6>& covered);
+  /// @param frame the points of what is drawn
+  void TurnToSides(const std::array<double, 6>& covered, vtkPoints* frame);
   /// Whether what is drawn covers the three sides of a block that BlockView shows.
   bool IsBlock(const std::array<double, 6>& covered) const;
   /// Whether what is drawn reaches across the image in the direction of the view, so that both ends cut it.

@@ -124,14 +124,24 @@ Input readInput(const InputOptions& options, Progress& progress, Wanted wanted)
   return input;
 }
 
-void requireSlices(const Input& input)
+vtkSmartPointer<vtkImageData> frameOf(const Input& input)
 {
   if (!input.image)
   {
-    return;
+    return nullptr;
   }
   input.image->UpdateInformation();
-  const int* dimensions = InkMakeFrame(input.image->GetOutputInformation(0))->GetDimensions();
+  return InkMakeFrame(input.image->GetOutputInformation(0));
+}
+
+void requireSlices(const Input& input)
+{
+  const vtkSmartPointer<vtkImageData> frame = frameOf(input);
+  if (!frame)
+  {
+    return;
+  }
+  const int* dimensions = frame->GetDimensions();
   if (*std::min_element(dimensions, dimensions + 3) < 2)
   {
     // What the file's notes say may be why.

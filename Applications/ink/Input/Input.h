@@ -5,6 +5,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInkIsoSurfaceAlgorithm.h"
 #include "vtkSmartPointer.h"
 
@@ -75,6 +76,10 @@ enum class Wanted
 /// left to Input::sampler where surfaces are wanted and nothing else. @throws Failure if it cannot be
 /// read whole, with the reason.
 Input readInput(const InputOptions& options, Progress& progress, Wanted wanted = Wanted::Values);
+
+/// Where the voxels of a volume lie, without values. Null for a mesh, and for a sparse volume that only
+/// surfaces are wanted of.
+vtkSmartPointer<vtkImageData> frameOf(const Input& input);
 
 /// @throws Failure for a volume that is no more than a slice, in which nothing lies between voxels
 void requireSlices(const Input& input);

@@ -2,7 +2,6 @@
 #include "Drawing.h"
 
 #include "Errors.h"
-#include "InkImageGrid.h"
 #include "Picture.h"
 #include "RenderCommand.h"
 #include "VtkMessages.h"
@@ -10,7 +9,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCommand.h"
-#include "vtkImageData.h"
 #include "vtkInkCameraFit.h"
 #include "vtkInkStyle.h"
 #include "vtkLight.h"
@@ -135,11 +133,7 @@ std::vector<std::string> Drawing::look(const Input& input, const std::filesystem
     view->SetElevation(this->Options.elevation.value_or(0.0));
   }
   // Of what is read in parts, how it lies.
-  vtkSmartPointer<vtkDataObject> data = input.data;
-  if (!data && input.image)
-  {
-    data = InkMakeFrame(input.image->GetOutputInformation(0));
-  }
+  const auto data = input.data ? input.data : vtkSmartPointer<vtkDataObject>(frameOf(input));
   view->Choose(data, file.c_str());
   vtkNew<vtkInkView> usual;
   std::vector<std::string> notes;

@@ -3,6 +3,7 @@
 // cylinder.
 
 #include "AnalyticFields.h"
+#include "Core/OtherAxes.h"
 #include "Fields/Resampling/SliceDistances.h"
 #include "HashNoise.h"
 #include "IsoSurface/CutSamples.h"
@@ -71,8 +72,7 @@ TEST(SliceDistances, AreThoseFromDiscs)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int u = axis == 0 ? 1 : 0;
-    const int v = axis == 2 ? 1 : 2;
+    const auto [u, v] = ink::otherAxes(axis);
     glm::ivec3 size(61);
     size[v] = 49;
     size[axis] = 7;

@@ -60,11 +60,7 @@ TEST(IsoValue, FindsTheOuterOfTwoNestedSurfaces)
 {
   const auto values = volume<float>(
     [](double d, std::size_t i) { return 40 * blurredSphere(d, 18) + 200 * blurredSphere(d, 9) + noise(i); });
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
-  EXPECT_GT(suggestion->value, 10.0);
-  EXPECT_LT(suggestion->value, 38.0);
+  expectBetween(suggest(values), Boundary::Outermost, 10.0, 38.0);
 }
 
 TEST(IsoValue, ListsThreeNestedSurfacesAndWhatTheyKeep)
@@ -144,11 +140,7 @@ TEST(IsoValue, TakesTheEdgeOfAMaskIfThereIsNothingElse)
 {
   const auto values =
     volume<short>([](double d, std::size_t i) { return d > 17 ? 0.0 : 500 + 20 * noise(i); });
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
-  EXPECT_GT(suggestion->value, 50.0);
-  EXPECT_LT(suggestion->value, 480.0);
+  expectBetween(suggest(values), Boundary::Outermost, 50.0, 480.0);
 }
 
 TEST(IsoValue, TakesTheEdgeOfAMaskAroundWhatIsSmall)
@@ -266,11 +258,7 @@ TEST(IsoValue, FindsThinVesselsThatBreakUpAtHigherValues)
       }
     }
   }
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
-  EXPECT_GT(suggestion->value, 20.0);
-  EXPECT_LT(suggestion->value, 60.0);
+  expectBetween(suggest(values), Boundary::Outermost, 20.0, 60.0);
 }
 
 TEST(IsoValue, PassesOverTheBorderOfTheFieldOfView)

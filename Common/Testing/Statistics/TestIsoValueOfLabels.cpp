@@ -100,11 +100,7 @@ TEST(IsoValueOfLabels, FewGrayLevelsAreNoLabels)
   // Of 24 levels, with hardly any noise in the one of the background.
   const auto values = volume<float>([](double d, std::size_t i)
     { return std::max(std::round(22 * blurredSphere(d, 16) + 0.45 * noise(i)), 0.0) / 32.0; });
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
-  EXPECT_GT(suggestion->value, 8.0 / 32.0);
-  EXPECT_LT(suggestion->value, 14.0 / 32.0);
+  expectBetween(suggest(values), Boundary::Outermost, 8.0 / 32.0, 14.0 / 32.0);
 }
 
 TEST(IsoValueOfLabels, AScanBehindAMaskHasNoLabels)

@@ -265,11 +265,7 @@ TEST(IsoValueOfScans, IsTheSkinWhereTheBrainIsBrighter)
       return airOfMR(i) / 3.0 + (60.0 + 70.0 * (1.0 + w)) * within(21.0, 3.0) * (1.0 - within(18.0, 1.5)) +
         (260.0 + 60.0 * w) * within(16.0 + 1.5 * w, 1.5);
     });
-  const auto suggestion = suggest(values);
-  ASSERT_TRUE(suggestion);
-  EXPECT_EQ(suggestion->boundary, Boundary::Outermost);
-  EXPECT_LT(suggestion->value, 60.0);
-  EXPECT_GT(suggestion->value, 10.0);
+  expectBetween(suggest(values), Boundary::Outermost, 10.0, 60.0);
 }
 
 TEST(IsoValueOfScans, OfVesselsInNoisyTissueIsTheirs)
@@ -284,11 +280,7 @@ TEST(IsoValueOfScans, OfVesselsInNoisyTissueIsTheirs)
         return 15.0 + 110.0 * tissue + noisy * noise(i) + brightness * std::exp(-0.5 * d * d / size / size);
       }));
   };
-  const auto vessels = suggestionFor(500.0, 4.0, 15.0);
-  ASSERT_TRUE(vessels);
-  EXPECT_EQ(vessels->boundary, Boundary::None);
-  EXPECT_GT(vessels->value, 160.0);
-  EXPECT_LT(vessels->value, 400.0);
+  expectBetween(suggestionFor(500.0, 4.0, 15.0), Boundary::None, 160.0, 400.0);
   const auto glow = suggestionFor(80.0, 12.0, 5.0);
   ASSERT_TRUE(glow);
   EXPECT_EQ(glow->boundary, Boundary::None);
