@@ -16,7 +16,9 @@ import unittest
 
 import numpy
 
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonExecutionModel import vtkTrivialProducer
 from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 from vtkmodules.vtkImagingCore import vtkImageChangeInformation, vtkRTAnalyticSource
 from vtkmodules.vtkIOImage import vtkMetaImageWriter, vtkNIFTIImageWriter, vtkPNGReader
@@ -47,6 +49,16 @@ def write_files(folder):
     slices = vtkImageChangeInformation()
     slices.SetInputConnection(volume.GetOutputPort())
     slices.SetOutputSpacing(1, 1, 3)
+    # Made on a grid of a fourth of the size.
+    labels = numpy.zeros((8, 9, 10), numpy.uint8)
+    labels[1:4, 2:7, 2:8], labels[4:7, 3:6, 3:7] = 1, 2
+    grid = vtkImageData()
+    grid.SetDimensions(40, 36, 32)
+    enlarged = vtkTrivialProducer()
+    enlarged.SetOutput(grid)
+    values = numpy_to_vtk(labels.repeat(4, 0).repeat(4, 1).repeat(4, 2).ravel(), deep=True)
+    values.SetName("Labels")
+    grid.GetPointData().SetScalars(values)
     surface = vtkFlyingEdges3D()
     surface.SetInputConnection(volume.GetOutputPort())
     surface.SetValue(0, 150.0)
@@ -58,6 +70,7 @@ def write_files(folder):
         (vtkMetaImageWriter(), volume, "volume.mhd"),
         (vtkXMLPImageDataWriter(), volume, "volume.pvti"),
         (vtkXMLPImageDataWriter(), slices, "slices.pvti"),
+        (vtkXMLPImageDataWriter(), enlarged, "enlarged.pvti"),
         (vtkPolyDataWriter(), surface, "mesh.vtk"),
         (vtkPLYWriter(), surface, "mesh.ply"),
         (vtkXMLPolyDataWriter(), surface, "mesh.vtp"),
@@ -143,7 +156,7 @@ class TestParallel(unittest.TestCase):
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
             self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + 1 + (3 if INK else 0))
-            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 1 + 4 + 1 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6)
+            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 1 + 4 + 1 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6 + 1)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)
             for name, picture in expected_pictures.items():

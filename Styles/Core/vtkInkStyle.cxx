@@ -5,14 +5,12 @@
 #include "InkFeatureNormals.h"
 #include "InkHasPolygons.h"
 #include "InkLeaves.h"
-#include "InkOriginalSamples.h"
+#include "InkOriginalImage.h"
 #include "InkParameter.h"
 #include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkSurfaceSampler.h"
-
-#include "Core/FormatNumber.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkBoundingBox.h"
@@ -34,7 +32,8 @@
 #include <stdexcept>
 
 vtkInkStyle::vtkInkStyle()
-  : Processes(std::make_shared<InkStyleProcesses>())
+  : Original(std::make_unique<InkOriginalImage>())
+  , Processes(std::make_shared<InkStyleProcesses>())
 {
 }
 
@@ -96,38 +95,8 @@ std::string vtkInkStyle::TryPieces(const Input& input)
   }
 }
 
-vtkInkStyle::FoundOriginal vtkInkStyle::FindOriginal(
-  vtkImageData* image, const std::string& array, bool repeats, bool slices)
-{
-  FoundOriginal found{ image, image->GetMTime(), array, repeats, slices, nullptr, {} };
-  vtkSmartPointer<vtkImageData> original = InkWithoutRepeats(image, array);
-  const bool wasRepeated = original != image;
-  if (!wasRepeated && slices)
-  {
-    original = InkWithoutInterpolatedSlices(image, array);
-  }
-  if (original == image || (wasRepeated && !repeats))
-  {
-    return found;
-  }
-  int voxels[3];
-  original->GetDimensions(voxels);
-  found.Note = std::string("the volume was enlarged by ") +
-    (wasRepeated ? "repeating voxels" : "interpolating slices") + "; it is drawn as the " +
-    ink::formatDimensions(voxels) + " that it was made of; " +
-    (wasRepeated ? "LabelMap" : "ShapeBasedInterpolation") + " off draws it as it is";
-  found.Source = vtkSmartPointer<vtkTrivialProducer>::New();
-  found.Source->SetOutput(original);
-  return found;
-}
-
 vtkInkStyle::Input vtkInkStyle::TakeOriginal(const Input& input)
 {
-  auto* image = vtkImageData::SafeDownCast(input.Data);
-  if (!image || input.IsOriginal || this->GetProcesses().GetNumber() > 1)
-  {
-    return input;
-  }
   const auto is = [&](const char* parameter, const char* value)
   {
     const InkParameter* known = this->GetParameterTable().Find(parameter);
@@ -135,25 +104,18 @@ vtkInkStyle::Input vtkInkStyle::TakeOriginal(const Input& input)
   };
   const bool repeats = !is("LabelMap", "off");
   const bool slices = is("ShapeBasedInterpolation", "auto") && this->DrawsSurfaces(input);
-  if (!repeats && !slices)
+  if (input.IsOriginal || (!repeats && !slices) ||
+    !this->Original->Find(
+      this->GetProcesses(), input.Data, { this->GetParameterAsString("Scalars"), repeats, slices }))
   {
     return input;
   }
-  const std::string array = this->GetParameterAsString("Scalars");
-  const bool isKnown = this->Original.Of == image && this->Original.Time == image->GetMTime() &&
-    this->Original.Array == array && this->Original.Repeats == repeats && this->Original.Slices == slices;
-  if (!isKnown)
-  {
-    this->Original = this->FindOriginal(image, array, repeats, slices);
-  }
-  if (!this->Original.Source)
-  {
-    return input;
-  }
-  this->AddNote(this->Original.Note);
+  this->AddNote(this->Original->GetNote());
   Input result = input;
-  result.Data = this->Original.Source->GetOutputDataObject(0);
-  result.Port = input.Port ? this->Original.Source->GetOutputPort() : nullptr;
+  vtkTrivialProducer* source = this->Original->GetSource();
+  result.Data = source->GetOutputDataObject(0);
+  result.Port = input.Port ? source->GetOutputPort() : nullptr;
+  result.Request = nullptr; // no longer a piece of several
   return result;
 }
 

@@ -26,7 +26,6 @@
 #include "vtkObject.h"
 #include "vtkPoints.h"       // for the frame
 #include "vtkSmartPointer.h" // for the pieces
-#include "vtkWeakPointer.h"  // for the input
 
 #include <functional> // for progress and the camera
 #include <limits>     // for what marks suit
@@ -36,6 +35,7 @@
 #include <vector>     // for the pieces
 
 class InkIsoSurface;
+class InkOriginalImage;
 class InkStyleProcesses;
 class vtkActor;
 class vtkAlgorithm;
@@ -51,7 +51,6 @@ class vtkMapper;
 class vtkPoints;
 class vtkPolyData;
 class vtkScalarsToColors;
-class vtkTrivialProducer;
 struct InkLeaves;
 struct InkParameter;
 struct InkParameterTable;
@@ -385,12 +384,10 @@ private:
   bool ReportProblem(const std::string& problem);
 
   std::string TryPieces(const Input& input);
-  /// The same, but with what an image in memory was made of, if it was enlarged (InkOriginalSamples.h), and a
-  /// note: by repeating samples, unless LabelMap is off, or by interpolating slices, if surfaces are drawn and
-  /// ShapeBasedInterpolation is automatic.
+  /// The same, but with what an image in memory was made of, if it was enlarged (InkOriginalImage.h), and a
+  /// note: by repeating samples, unless LabelMap is off, or by interpolating slices, if surfaces are drawn
+  /// and ShapeBasedInterpolation is automatic.
   Input TakeOriginal(const Input& input);
-  struct FoundOriginal;
-  FoundOriginal FindOriginal(vtkImageData* image, const std::string& array, bool repeats, bool slices);
   void SetPicture(double& side, double pixels);
   double FindDiagonal(vtkDataObject* data);
   /// MakePieces, of points where there are surfaces in place of data.
@@ -399,19 +396,7 @@ private:
   /// Why so many points cannot be drawn; empty if they can.
   std::string FindMemoryProblem(vtkIdType points) const;
 
-  /// What TakeOriginal found last.
-  struct FoundOriginal
-  {
-    vtkWeakPointer<vtkImageData> Of;
-    vtkMTimeType Time = 0;
-    std::string Array;
-    bool Repeats = false; ///< whether these were looked for
-    bool Slices = false;
-    vtkSmartPointer<vtkTrivialProducer> Source; ///< of the image to draw; null: it is that one
-    std::string Note;
-  };
-
-  FoundOriginal Original;
+  std::unique_ptr<InkOriginalImage> Original;
   std::vector<vtkSmartPointer<vtkPolyData>> Pieces;
   vtkSmartPointer<vtkPoints> FramePoints;
   vtkMTimeType TimeBeforeMaking = 0;

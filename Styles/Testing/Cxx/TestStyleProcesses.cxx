@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What several processes make of parts of an image is what one makes of the whole: also what is automatic.
 #include "InkIsoSurface.h"
+#include "InkProbeColors.h"
 #include "InkStyleProcesses.h"
 #include "vtkInkSplattingLinesStyle.h"
 
@@ -61,25 +62,52 @@ vtkSmartPointer<vtkImageData> MakeWhole()
   return image;
 }
 
+/// Two labels in balls, that were made on a grid of a third of the size, and values beside them.
+vtkSmartPointer<vtkImageData> MakeEnlarged()
+{
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(60, 57, 78);
+  vtkNew<vtkFloatArray> labels;
+  labels->SetName("label");
+  vtkNew<vtkFloatArray> depths;
+  depths->SetName("depth");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    std::array<double, 3> p;
+    image->GetPoint(i, p.data());
+    const double depth = p[2];
+    std::transform(p.begin(), p.end(), p.begin(), [](double x) { return 3 * std::floor(x / 3) + 1; });
+    const bool isInOne = std::hypot(p[0] - 28, p[1] - 27, p[2] - 28) < 24;
+    const bool isInTwo = std::hypot(p[0] - 34, p[1] - 31, p[2] - 55) < 19;
+    labels->InsertNextValue(isInOne ? 1 : isInTwo ? 2 : 0);
+    depths->InsertNextValue(static_cast<float>(depth));
+  }
+  image->GetPointData()->SetScalars(labels);
+  image->GetPointData()->AddArray(depths);
+  return image;
+}
+
 /// Layers of cells along z, with ghost cells around them.
 vtkSmartPointer<vtkImageData> MakePart(vtkImageData* whole, int begin, int end)
 {
+  const int* size = whole->GetDimensions();
   const int first = std::max(begin - Ghosts, 0);
-  const int last = std::min(end + Ghosts, Size[2] - 1);
+  const int last = std::min(end + Ghosts, size[2] - 1);
   auto part = vtkSmartPointer<vtkImageData>::New();
-  part->SetExtent(0, Size[0] - 1, 0, Size[1] - 1, first, last);
-  const vtkIdType slice = static_cast<vtkIdType>(Size[0]) * Size[1];
-  auto* source = vtkFloatArray::SafeDownCast(whole->GetPointData()->GetScalars());
-  vtkNew<vtkFloatArray> values;
-  values->SetName("density");
-  for (vtkIdType i = first * slice; i < (last + 1) * slice; ++i)
+  part->SetExtent(0, size[0] - 1, 0, size[1] - 1, first, last);
+  const vtkIdType slice = static_cast<vtkIdType>(size[0]) * size[1];
+  vtkPointData* arrays = whole->GetPointData();
+  for (int n = 0; n < arrays->GetNumberOfArrays(); ++n)
   {
-    values->InsertNextValue(source->GetValue(i));
+    vtkNew<vtkFloatArray> values;
+    values->SetName(arrays->GetArrayName(n));
+    values->InsertTuples(0, (last + 1 - first) * slice, first * slice, arrays->GetArray(n));
+    part->GetPointData()->AddArray(values);
   }
-  part->GetPointData()->SetScalars(values);
+  part->GetPointData()->SetActiveScalars(arrays->GetScalars()->GetName());
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  const int layer = (Size[0] - 1) * (Size[1] - 1);
+  const int layer = (size[0] - 1) * (size[1] - 1);
   for (vtkIdType cell = 0; cell < part->GetNumberOfCells(); ++cell)
   {
     const auto z = first + static_cast<int>(cell / layer);
@@ -97,12 +125,14 @@ struct Team
     , Numbers(static_cast<std::size_t>(count))
     , Ids(static_cast<std::size_t>(count))
     , Images(static_cast<std::size_t>(count))
+    , Names(static_cast<std::size_t>(count))
   {
   }
   std::barrier<> Barrier;
   std::vector<std::vector<double>> Numbers;
   std::vector<std::vector<std::int64_t>> Ids;
   std::vector<std::vector<vtkImageData*>> Images;
+  std::vector<std::string> Names;
 };
 
 class Member : public InkStyleProcesses
@@ -154,22 +184,47 @@ public:
     InkWholeImages result;
     if (this->Rank == 0)
     {
+      // The first process has the first part.
       auto whole = vtkSmartPointer<vtkImageData>::New();
-      whole->SetDimensions(Size.data());
-      whole->AllocateScalars(VTK_FLOAT, 1);
+      whole->CopyStructure(images[0]);
+      std::array<int, 6> extent;
+      whole->GetExtent(extent.data());
       for (const auto& parts : this->All.Images)
       {
         for (vtkImageData* part : parts)
         {
-          whole->GetPointData()->GetScalars()->InsertTuples(
-            static_cast<vtkIdType>(part->GetExtent()[4]) * Size[0] * Size[1], part->GetNumberOfPoints(), 0,
-            part->GetPointData()->GetScalars());
+          extent[5] = std::max(extent[5], part->GetExtent()[5]);
+        }
+      }
+      whole->SetExtent(extent.data());
+      whole->AllocateScalars(VTK_FLOAT, 1);
+      vtkDataArray* values = whole->GetPointData()->GetScalars();
+      for (const auto& parts : this->All.Images)
+      {
+        for (vtkImageData* part : parts)
+        {
+          if (vtkDataArray* own = part->GetPointData()->GetScalars())
+          {
+            values->SetName(own->GetName());
+            const int* ends = part->GetExtent();
+            int begin[3] = { ends[0], ends[2], ends[4] };
+            values->InsertTuples(whole->ComputePointId(begin), part->GetNumberOfPoints(), 0, own);
+          }
         }
       }
       result.push_back(whole);
     }
     this->All.Barrier.arrive_and_wait();
     return result;
+  }
+  void AgreeOnArray(std::string& name, int&) override
+  {
+    this->All.Names[this->Rank] = name;
+    this->All.Barrier.arrive_and_wait();
+    const auto& names = this->All.Names;
+    const auto named = std::find_if(names.begin(), names.end(), [](const auto& one) { return !one.empty(); });
+    name = named == names.end() ? "" : *named;
+    this->All.Barrier.arrive_and_wait();
   }
 
 private:
@@ -191,7 +246,8 @@ void AddPoints(vtkPolyData* data, std::vector<Point>& points)
 
 struct Result
 {
-  std::vector<Point> Points; ///< of all, in order
+  std::vector<Point> Points;  ///< of all, in order
+  std::vector<double> Values; ///< of the array that points are colored by, in order
   std::vector<std::string> Notes;
   std::vector<std::string> Problems;
 };
@@ -199,10 +255,11 @@ struct Result
 /// What lines of the image are made of by so many processes, the last of which has no part where there are
 /// three or more.
 template <class SetUp>
-Result MakeWith(int processes, const SetUp& setUp)
+Result MakeWith(int processes, const SetUp& setUp, vtkSmartPointer<vtkImageData> (*make)() = MakeWhole)
 {
-  const auto whole = MakeWhole();
+  const auto whole = make();
   Team team(processes);
+  const int* size = whole->GetDimensions();
   std::vector<vtkSmartPointer<vtkInkSplattingLinesStyle>> styles;
   std::vector<vtkSmartPointer<vtkTrivialProducer>> producers;
   const int parts = processes > 2 ? processes - 1 : processes;
@@ -215,8 +272,8 @@ Result MakeWith(int processes, const SetUp& setUp)
     if (rank < parts)
     {
       producers.back()->SetOutput(
-        MakePart(whole, rank * (Size[2] - 1) / parts, (rank + 1) * (Size[2] - 1) / parts));
-      producers.back()->SetWholeExtent(0, Size[0] - 1, 0, Size[1] - 1, 0, Size[2] - 1);
+        MakePart(whole, rank * (size[2] - 1) / parts, (rank + 1) * (size[2] - 1) / parts));
+      producers.back()->SetWholeExtent(0, size[0] - 1, 0, size[1] - 1, 0, size[2] - 1);
     }
   }
   Result result;
@@ -239,7 +296,13 @@ Result MakeWith(int processes, const SetUp& setUp)
   for (const auto& style : styles)
   {
     AddPoints(style->GetPiece(0), result.Points);
+    vtkDataArray* depths = style->GetPiece(0)->GetPointData()->GetArray(InkColorsName);
+    for (vtkIdType i = 0; depths && i < depths->GetNumberOfTuples(); ++i)
+    {
+      result.Values.push_back(depths->GetTuple1(i));
+    }
   }
+  std::sort(result.Values.begin(), result.Values.end());
   for (int note = 0; note < styles[0]->GetNumberOfNotes(); ++note)
   {
     result.Notes.emplace_back(styles[0]->GetNote(note));
@@ -249,13 +312,13 @@ Result MakeWith(int processes, const SetUp& setUp)
 }
 
 template <class SetUp>
-void ExpectSame(const SetUp& setUp)
+void ExpectSame(const SetUp& setUp, vtkSmartPointer<vtkImageData> (*make)() = MakeWhole)
 {
-  const Result one = MakeWith(1, setUp);
+  const Result one = MakeWith(1, setUp, make);
   EXPECT_GT(one.Points.size(), 1000u);
   for (const int processes : { 2, 4 })
   {
-    const Result several = MakeWith(processes, setUp);
+    const Result several = MakeWith(processes, setUp, make);
     EXPECT_EQ(several.Points, one.Points) << processes;
     EXPECT_EQ(several.Notes, one.Notes) << processes;
     for (const std::string& problem : several.Problems)
@@ -302,6 +365,30 @@ TEST(StyleProcesses, PartsAreJudgedAsAWhole)
       style->SetParameterAsString("IsoValues", "50,175");
       style->SetParameter("LargestParts", 1);
     });
+}
+
+TEST(StyleProcesses, EnlargedVolumesAreWhatTheWholeWasMadeOf)
+{
+  const auto byDepth = [](vtkInkSplattingLinesStyle* style)
+  {
+    style->SetParameterAsString("IsoValues", ".5");
+    style->SetColorArray({ "depth", false });
+  };
+  ExpectSame(byDepth, MakeEnlarged);
+  const Result one = MakeWith(1, byDepth, MakeEnlarged);
+  ASSERT_EQ(one.Notes.size(), 1u);
+  EXPECT_NE(one.Notes[0].find("enlarged by repeating voxels"), std::string::npos) << one.Notes[0];
+  EXPECT_NE(one.Notes[0].find("20 x 19 x 26"), std::string::npos) << one.Notes[0];
+  EXPECT_GT(one.Values.size(), 1000u);
+  EXPECT_EQ(MakeWith(3, byDepth, MakeEnlarged).Values, one.Values);
+  // Asked for as it is, in blocks.
+  ExpectSame(
+    [](vtkInkStyle* style)
+    {
+      style->SetParameterAsString("IsoValues", ".5");
+      style->SetParameterAsString("LabelMap", "off");
+    },
+    MakeEnlarged);
 }
 
 TEST(StyleProcesses, TheirPointsCarryNothingMore)
