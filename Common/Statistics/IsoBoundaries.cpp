@@ -45,6 +45,9 @@ constexpr double farFromMiddle = 0.08;
 // Up to so many times the least area of thresholds that are nearly as sharp, a surface is whole. At the
 // sharpest, those of four MR heads have 1.4 to 1.8 times, of 26 other volumes up to 1.12.
 constexpr double mostArea = 1.25;
+// Above the least area around a boundary more follows, so many times as much; less where none is clear.
+constexpr double areaAbove = 1.25;
+constexpr double areaAboveUnclear = 1.15;
 // Where no mask has cut something out, thresholds with this fraction of its sharpness count, too: heads that
 // are a mean of many, and noisy ones, are whole there.
 constexpr double stillSharp = 0.7;
@@ -256,44 +259,6 @@ bool isOutermost(const IsoStatistics& statistics, const std::vector<double>& kep
     static_cast<double>(edges) <= largestAround * static_cast<double>(statistics.edges[inner.index]);
 }
 
-/// The surface around all of what only brighter parts have a boundary of their own in, as the brightest spots
-/// of a material, or what is within the skin: where the steps become larger from its edge up to those, none
-/// of the thresholds around it is the sharpest. It lies where the area is the least, nearly.
-/// @param inner the lowest boundary
-std::optional<IsoBoundary> findSurfaceAround(
-  const IsoBoundary& inner, const IsoStatistics& statistics, const std::vector<double>& kept)
-{
-  const std::vector<bool> noise = findNoisyThresholds(statistics.edges, statistics.speckEdges, kept);
-  std::size_t begin = inner.index;
-  while (begin > 0 && !noise[begin - 1] && !isMask(statistics, begin - 1))
-  {
-    --begin;
-  }
-  // The area is small above the brightest material, too: here more of it follows.
-  const std::vector<std::int64_t>& edges = statistics.edges;
-  std::size_t least = inner.index;
-  std::int64_t above = 0;
-  for (std::size_t i = inner.index; i-- > begin; above = std::max(above, edges[i]))
-  {
-    const bool isValley = mostArea * static_cast<double>(edges[i]) <= static_cast<double>(above);
-    least = isValley && (least == inner.index || edges[i] < edges[least]) ? i : least;
-  }
-  std::size_t index = least;
-  while (index + 1 < inner.index &&
-    static_cast<double>(edges[index + 1]) <= mostArea * static_cast<double>(edges[least]))
-  {
-    ++index;
-  }
-  const bool isWhole = least < inner.index && speckShare(statistics, index) <= scrapShare &&
-    !areTooMany(edges[index], statistics) && isOutermost(statistics, kept, index, edges[least], inner);
-  if (!isWhole)
-  {
-    return std::nullopt;
-  }
-  return IsoBoundary{ static_cast<double>(index), index, static_cast<double>(statistics.steps[index]), index,
-    index + 1 };
-}
-
 } // namespace
 
 bool areTooMany(std::int64_t edges, const IsoStatistics& statistics)
@@ -368,7 +333,7 @@ std::vector<IsoBoundary> findBoundaries(const IsoStatistics& statistics, const s
   {
     boundaries.erase(boundaries.begin());
   }
-  else if (const auto around = findSurfaceAround(boundaries.front(), statistics, kept))
+  else if (const auto around = findSurfaceAround(boundaries.front(), statistics, kept, true))
   {
     boundaries.insert(boundaries.begin(), *around);
   }
@@ -403,6 +368,49 @@ void centerBoundaries(const IsoStatistics& statistics, std::vector<IsoBoundary>&
       boundaries[i].index = static_cast<std::size_t>(boundaries[i].threshold);
     }
   }
+}
+
+std::optional<IsoBoundary> findSurfaceAround(
+  const IsoBoundary& inner, const IsoStatistics& statistics, const std::vector<double>& kept, bool isClear)
+{
+  const std::vector<bool> noise = findNoisyThresholds(statistics.edges, statistics.speckEdges, kept);
+  std::size_t begin = inner.index;
+  while (begin > 0 && !noise[begin - 1] && !isMask(statistics, begin - 1))
+  {
+    --begin;
+  }
+  // The area is small above the brightest material, too: here more of it follows.
+  const std::vector<std::int64_t>& edges = statistics.edges;
+  const double valleyArea = isClear ? areaAbove : areaAboveUnclear;
+  std::size_t least = inner.index;
+  std::int64_t hill = 0;
+  std::int64_t highest = 0;
+  for (std::size_t i = inner.index; i-- > begin; highest = std::max(highest, edges[i]))
+  {
+    const bool isValley = valleyArea * static_cast<double>(edges[i]) <= static_cast<double>(highest);
+    if (isValley && (least == inner.index || edges[i] < edges[least]))
+    {
+      least = i;
+      hill = highest;
+    }
+  }
+  const auto valley = static_cast<double>(edges[least]);
+  // A hill that is low is climbed half way, in ratios.
+  const double halfway = std::sqrt(valley * static_cast<double>(hill));
+  const double most = isClear ? mostArea * valley : std::min(mostArea * valley, halfway);
+  std::size_t index = least;
+  while (index + 1 < inner.index && static_cast<double>(edges[index + 1]) <= most)
+  {
+    ++index;
+  }
+  const bool isWhole = least < inner.index && speckShare(statistics, index) <= scrapShare &&
+    !areTooMany(edges[index], statistics) && isOutermost(statistics, kept, index, edges[least], inner);
+  if (!isWhole)
+  {
+    return std::nullopt;
+  }
+  return IsoBoundary{ static_cast<double>(index), index, static_cast<double>(statistics.steps[index]), index,
+    index + 1 };
 }
 
 void mendBoundary(const IsoStatistics& statistics, IsoBoundary& boundary)

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 /// Internal to Common/Statistics: the boundaries between a volume's materials, see suggestIsoValues.
@@ -53,5 +54,12 @@ void centerBoundaries(const IsoStatistics& statistics, std::vector<IsoBoundary>&
 /// mean step or more where no mask cuts it: where tissues differ, as in MR, and fade far from the coil,
 /// higher values cut some of them out, with as sharp a surface and more of it.
 void mendBoundary(const IsoStatistics& statistics, IsoBoundary& boundary);
+
+/// The surface around all of what only brighter parts have a boundary of their own in, as the brightest spots
+/// of a material, or what is within the skin: where the steps become larger from its edge up to those, none
+/// of the thresholds around it is the sharpest. It lies where the area is the least, nearly.
+/// @param inner the lowest boundary, or a threshold where none is clear
+std::optional<IsoBoundary> findSurfaceAround(
+  const IsoBoundary& inner, const IsoStatistics& statistics, const std::vector<double>& kept, bool isClear);
 
 } // namespace ink

@@ -315,7 +315,7 @@ bool isAsSteepAsElsewhere(const IsoStatistics& statistics, std::size_t threshold
 }
 
 /// Otsu's threshold of the values from a bin on, or one below it where the surface is whole, see
-/// mendBoundary.
+/// findSurfaceAround and mendBoundary.
 /// @param first the lowest bin
 IsoBoundary splitHistogram(
   const IsoStatistics& statistics, const std::vector<double>& kept, std::size_t first)
@@ -346,6 +346,10 @@ IsoBoundary splitHistogram(
   while (split.begin > first && !noise[split.begin] && !noise[split.begin - 1])
   {
     --split.begin;
+  }
+  if (const auto around = findSurfaceAround(split, statistics, kept, false))
+  {
+    return *around;
   }
   mendBoundary(statistics, split);
   return split;

@@ -268,6 +268,22 @@ TEST(IsoValueOfScans, IsTheSkinWhereTheBrainIsBrighter)
   expectBetween(suggest(values), Boundary::Outermost, 10.0, 60.0);
 }
 
+TEST(IsoValueOfScans, IsTheSkinWhereNoBoundaryIsClear)
+{
+  // As the one before, but the skin's brightness varies from 0 on, by which no value has the sharpest edge.
+  const auto values = volume<short>(
+    [](double d, std::size_t i)
+    {
+      const auto within = [&](double radius, double width)
+      { return std::clamp((radius - d) / width, 0.0, 1.0); };
+      const double w = waves(i);
+      return airOfMR(i) / 3.0 +
+        (10.0 + 45.0 * (1.0 + w) * (1.0 + w)) * within(21.0, 2.0) * (1.0 - within(18.0, 2.0)) +
+        (220.0 + 60.0 * w) * within(16.0 + 3.0 * w, 4.0);
+    });
+  expectBetween(suggest(values), Boundary::None, 15.0, 45.0);
+}
+
 TEST(IsoValueOfScans, OfVesselsInNoisyTissueIsTheirs)
 {
   // As in an angiography, whose threshold by Otsu is between tissue and what is beside it.
