@@ -6,10 +6,10 @@
 #include "Words.h"
 
 #include "vtkDataArray.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -59,7 +59,7 @@ bool LegacyFile::tryWord(std::string& word)
 {
   word.clear();
   this->Stream >> word;
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  word = vtksys::SystemTools::LowerCase(word);
   return !word.empty();
 }
 

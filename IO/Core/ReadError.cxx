@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ReadError.h"
 
-#include <algorithm>
-#include <cctype>
+#include "vtksys/SystemTools.hxx"
+
 #include <fstream>
 #include <system_error>
 
@@ -64,9 +64,7 @@ void checkExists(const fs::path& file)
 
 std::string suffixOf(const fs::path& file)
 {
-  std::string name = file.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-  const fs::path lower(name);
+  const fs::path lower(vtksys::SystemTools::LowerCase(file.filename().string()));
   const std::string last = lower.extension().string();
   return last == ".gz" ? lower.stem().extension().string() + last : last;
 }

@@ -25,6 +25,12 @@ def turned_nrrd(path):
     ink_files.write_nrrd(path, BLOB.transpose(1, 0, 2), directions="(1,0,0) (0,0,1) (0,1,0)")
 
 
+def capital_nrrd(path):
+    """Words in letters of the other case, as some programs write them."""
+    ink_files.write_nrrd(path, BLOB, "ASCII", space="ras", directions="(-1,0,0) (0,-1,0) (0,0,1)")
+    path.write_bytes(path.read_bytes().replace(b"type: uchar", b"type: UChar"))
+
+
 def nifti_by_quaternion(path, volume, qfac):
     """A half turn around z, which is what AFFINE says, and slices that go up, or down from 31."""
     ink_files.write_nifti(path, volume)
@@ -85,6 +91,7 @@ VOLUMES = {
     "ras.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, space="RAS", directions="(-1,0,0) (0,-1,0) (0,0,1)"),
     "las.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, space="LAS", directions="(1,0,0) (0,-1,0) (0,0,1)"),
     "text.nrrd": lambda p: ink_files.write_nrrd(p, BLOB, "ascii"),
+    "capital.nrrd": capital_nrrd,
     "numbered.nhdr": numbered_nrrd,
     "listed.mhd": listed_metaimage,
     "text.mha": text_metaimage,

@@ -8,6 +8,7 @@
 #include "OrderedBytes.h"
 #include "ReadError.h"
 
+#include "vtkDataArray.h"
 #include "vtkType.h"
 
 #include <algorithm>
@@ -57,10 +58,6 @@ public:
         "it has " + std::to_string(bytes.size()) + " bytes; expected an MRC or CCP4 map, whose header has " +
           std::to_string(sizeOfHeader));
     }
-    if (std::memcmp(this->word(Map), "MAP ", 4) != 0)
-    {
-      failToRead(file, "it is not an MRC or CCP4 map: it does not say 'MAP ' at byte 208");
-    }
     const unsigned char stamp = this->word(MachineStamp)[0];
     constexpr unsigned char little = 0x44;
     constexpr unsigned char big = 0x11;
@@ -69,6 +66,8 @@ public:
       (stamp != little && this->read<std::uint32_t>(Size, true) < this->read<std::uint32_t>(Size, false));
   }
 
+  /// Whether it says what it is, as the standard has it since 2000.
+  bool saysMap() const { return std::memcmp(this->word(Map), "MAP ", 4) == 0; }
   bool bigEndian() const { return this->BigEndian; }
   std::int32_t whole(int word, int axis = 0) const
   {
@@ -94,8 +93,8 @@ private:
   bool BigEndian = false;
 };
 
-/// @throws ReadError for complex numbers, packed ones, and what is none
-int typeOf(const MrcHeader& mrc, const fs::path& file)
+/// @return VTK_VOID for complex numbers, packed ones, and what is none
+int typeOf(const MrcHeader& mrc)
 {
   switch (mrc.whole(Mode))
   {
@@ -109,10 +108,25 @@ int typeOf(const MrcHeader& mrc, const fs::path& file)
     case 6:
       return VTK_UNSIGNED_SHORT;
     default:
-      failToRead(file,
-        "its header says mode " + std::to_string(mrc.whole(Mode)) +
-          "; expected 0 (int8), 1 (int16), 2 (float32), 6 (uint16) or 12 (float16)");
+      return VTK_VOID;
   }
+}
+
+/// Whether a header that does not say what it is has a file of just the size that it would have.
+bool fits(const MrcHeader& mrc, const fs::path& file)
+{
+  const int type = typeOf(mrc);
+  if (type == VTK_VOID)
+  {
+    return false;
+  }
+  double bytes = mrc.whole(Mode) == halfMode ? 2.0 : vtkDataArray::GetDataTypeSize(type);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bytes *= std::max(mrc.whole(Size, axis), 0);
+  }
+  return bytes > 0.0 &&
+    bytes + sizeOfHeader + mrc.whole(ExtendedHeader) == static_cast<double>(fs::file_size(file));
 }
 
 /// The number of voxels along the columns, rows and sections of the first volume.
@@ -210,10 +224,20 @@ VolumeHeader readMrcHeader(const fs::path& file)
 {
   const auto [compressed, bytes] = FirstBytes(file, sizeOfHeader);
   const MrcHeader mrc(bytes, file);
+  if (!mrc.saysMap() && !fits(mrc, file))
+  {
+    failToRead(file, "it is not an MRC or CCP4 map: it does not say 'MAP ' at byte 208");
+  }
   VolumeHeader header;
   header.format = "MRC map";
   header.voxels.files = { file };
-  header.voxels.type = typeOf(mrc, file);
+  header.voxels.type = typeOf(mrc);
+  if (header.voxels.type == VTK_VOID)
+  {
+    failToRead(file,
+      "its header says mode " + std::to_string(mrc.whole(Mode)) +
+        "; expected 0 (int8), 1 (int16), 2 (float32), 6 (uint16) or 12 (float16)");
+  }
   header.voxels.halves = mrc.whole(Mode) == halfMode;
   header.voxels.setBigEndian(mrc.bigEndian());
   takeSize(mrc, file, header);

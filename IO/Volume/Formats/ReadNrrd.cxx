@@ -7,6 +7,7 @@
 
 #include "vtkMath.h"
 #include "vtkType.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <cmath>
@@ -72,6 +73,8 @@ public:
   {
     return fieldOf(this->Fields, name, otherName);
   }
+  /// One of some words, which may be written in letters of either case.
+  std::string choice(const char* name) const { return vtksys::SystemTools::LowerCase(this->field(name)); }
 
   [[noreturn]] void fail(const char* name, const std::string& expected) const
   {
@@ -202,9 +205,9 @@ void setOrientation(const NrrdHeader& nrrd, std::size_t otherAxis, std::size_t a
   {
     nrrd.fail("space directions", "three vectors as (1,0,0) (0,1,0) (0,0,1)");
   }
-  const std::string space = nrrd.field("space");
-  const bool towardsRight = space.starts_with("right") || space == "RAS";
-  const bool towardsFront = space.find("anterior") != std::string::npos || space == "RAS" || space == "LAS";
+  const std::string space = nrrd.choice("space");
+  const bool towardsRight = space.starts_with("right") || space == "ras";
+  const bool towardsFront = space.find("anterior") != std::string::npos || space == "ras" || space == "las";
   const double sign[3] = { towardsRight ? -1.0 : 1.0, towardsFront ? -1.0 : 1.0, 1.0 };
   header.orientation.emplace(steps.data(), header.origin, sign);
   for (int i = 0; i < 3; ++i)
@@ -221,12 +224,12 @@ VolumeHeader readNrrdHeader(const fs::path& file)
   VolumeHeader header;
   header.format = "NRRD volume";
   RawVolume& voxels = header.voxels;
-  voxels.type = nrrdTypeOf(nrrd.field("type"));
+  voxels.type = nrrdTypeOf(nrrd.choice("type"));
   if (voxels.type == VTK_VOID)
   {
     nrrd.fail("type", "an integer of 8 to 64 bits as uint8, float or double");
   }
-  if (nrrd.field("space").find("time") != std::string::npos)
+  if (nrrd.choice("space").find("time") != std::string::npos)
   {
     nrrd.fail("space", "a space of three dimensions");
   }
@@ -248,7 +251,7 @@ VolumeHeader readNrrdHeader(const fs::path& file)
   header.components = std::max(header.components, voxels.components);
   std::copy(sizes.begin(), sizes.end(), voxels.dimensions);
 
-  const std::string encoding = nrrd.field("encoding");
+  const std::string encoding = nrrd.choice("encoding");
   if (encoding == "gzip" || encoding == "gz")
   {
     voxels.encoding = VoxelEncoding::Compressed;
@@ -261,7 +264,7 @@ VolumeHeader readNrrdHeader(const fs::path& file)
   {
     nrrd.fail("encoding", "raw, gzip or ascii");
   }
-  const std::string endian = nrrd.field("endian");
+  const std::string endian = nrrd.choice("endian");
   if (!endian.empty() && endian != "little" && endian != "big")
   {
     nrrd.fail("endian", "little or big");

@@ -11,10 +11,10 @@
 #include "vtkDataArray.h"
 #include "vtkSetGet.h"
 #include "vtkType.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -43,7 +43,7 @@ bool IsNumber(int type)
 /// All parts of a text that an expression matches, each with its groups, in lower case.
 std::vector<std::vector<std::string>> findAll(const Pattern& pattern, std::string text)
 {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  text = vtksys::SystemTools::LowerCase(text);
   std::vector<std::vector<std::string>> found;
   for (std::vector<std::string> match = pattern.search(text); !match.empty(); match = pattern.search(text))
   {

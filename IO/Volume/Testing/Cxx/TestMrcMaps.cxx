@@ -172,6 +172,15 @@ TEST(MrcMaps, WhatIsNotSaidIsAsUsual)
   EXPECT_EQ(reader->GetNumberOfNotes(), 0);
 }
 
+TEST(MrcMaps, OldOnesThatDoNotSayWhatTheyAreHaveTheRightSize)
+{
+  Map map;
+  map.setBytes(53, std::string(4, '\0'));
+  map.extended = std::string(8, ' ');
+  map.set(24, { 8 });
+  ExpectMap(UpdatedReaderOf(Put("MrcMapsOld.mrc", map.bytes()))->GetOutput(), "old");
+}
+
 TEST(MrcMaps, NotesWhatIsNotUsed)
 {
   Map oblique;
@@ -199,7 +208,18 @@ TEST(MrcMaps, WhatCannotBeReadIsOneError)
     std::function<void(Map&)> change;
     std::vector<std::string> words;
   } cases[] = {
-    { [](Map& map) { map.setBytes(53, "NOPE"); }, { "it is not an MRC or CCP4 map", "'MAP ' at byte 208" } },
+    { [](Map& map)
+      {
+        map.setBytes(53, "NOPE");
+        map.values += '\0';
+      },
+      { "it is not an MRC or CCP4 map", "'MAP ' at byte 208" } },
+    { [](Map& map)
+      {
+        map.setBytes(53, "NOPE");
+        map.set(4, { 4 });
+      },
+      { "'MAP ' at byte 208" } },
     { [](Map& map) { map.set(4, { 4 }); }, { "its header says mode 4; expected 0 (int8), 1 (int16)" } },
     { [](Map& map) { map.set(4, { 101 }); }, { "its header says mode 101" } },
     { [](Map& map) { map.set(1, { 0 }); }, { "its header says dimensions 0 x 5 x 6" } },
