@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkMemoryBudget.h"
 
+#include "vtksys/SystemTools.hxx"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -30,8 +32,7 @@ std::optional<InkMemoryBudget> InkMemoryBudget::Parse(const std::string& size)
   const auto [rest, error] = std::from_chars(size.data(), end, number, std::chars_format::fixed);
   std::string unit(rest, end);
   unit.erase(0, !unit.empty() && unit.front() == ' ' ? 1 : 0);
-  std::transform(unit.begin(), unit.end(), unit.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  unit = vtksys::SystemTools::LowerCase(unit);
   const std::size_t power = unit.empty() ? std::string::npos : std::string("kmgt").find(unit.front());
   const bool isSize = error == std::errc() && std::isdigit(static_cast<unsigned char>(size.front())) != 0 &&
     power != std::string::npos && (unit.size() == 1 || unit.substr(1) == "ib");

@@ -9,10 +9,10 @@
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTriangleFilter.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <numeric>
@@ -116,10 +116,8 @@ std::string FindUp(vtkPolyData* mesh, const std::string& file)
   {
     return "z";
   }
-  std::string suffix = std::filesystem::path(file).extension().string();
-  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  const bool isObj = suffix == ".obj";
+  const std::string suffix = std::filesystem::path(file).extension().string();
+  const bool isObj = vtksys::SystemTools::LowerCase(suffix) == ".obj";
   const Base y = BaseOf(mesh, 1);
   const Base z = BaseOf(mesh, 2);
   return isObj ? (z.isClearlyBetterThan(y) ? "z" : "y") : (y.isClearlyBetterThan(z) ? "y" : "z");

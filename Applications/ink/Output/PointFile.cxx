@@ -6,11 +6,11 @@
 #include "PointStore.h"
 
 #include "vtkType.h"
+#include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <limits>
@@ -364,9 +364,7 @@ void writeXyz(const PointStore& points, const ByteSink& sink)
 
 PointFormat pointFormatOf(const std::filesystem::path& file)
 {
-  std::string suffix = file.extension().string();
-  std::transform(
-    suffix.begin(), suffix.end(), suffix.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string suffix = vtksys::SystemTools::LowerCase(file.extension().string());
   std::string known;
   for (const auto& [name, format] : suffixes)
   {
