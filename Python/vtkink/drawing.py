@@ -309,6 +309,6 @@ def draw(
     actor.style = chosen
     if output is not None:
         seen.Choose(shown, os.fsdecode(data) if isinstance(data, (str, os.PathLike)) else None)
-        seen.ChooseForFrame(chosen.GetFramePoints())
+        seen.ChooseForFrame(chosen.GetFramePoints(), chosen.IsSeenThrough())
         _write_picture(chosen, output, size, seen, dpi)
     return actor

@@ -140,6 +140,8 @@ public:
   /// without the parts that are left out, or else of the marks. The same in all styles, so that their
   /// pictures register. Null before the first Make. See vtkInkCameraFit.
   vtkPoints* GetFramePoints() { return this->FramePoints; }
+  /// Whether the last marks are those of voxels, not of a surface: what lies behind them is seen, too.
+  virtual bool IsSeenThrough() { return false; }
 
   /// Hands pieces to the mapper; null, or all of them empty, shows nothing.
   virtual void ShowPieces(const std::vector<vtkPolyData*>& pieces) = 0;

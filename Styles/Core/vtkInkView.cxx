@@ -162,7 +162,7 @@ void vtkInkView::Choose(vtkDataObject* data, const char* fileName)
   this->Modified();
 }
 
-void vtkInkView::ChooseForFrame(vtkPoints* frame)
+void vtkInkView::ChooseForFrame(vtkPoints* frame, bool seenThrough)
 {
   if (this->OfMesh || this->GivenName || !frame || frame->GetNumberOfPoints() == 0)
   {
@@ -171,7 +171,7 @@ void vtkInkView::ChooseForFrame(vtkPoints* frame)
   this->Name = InkFindSideOfFlat(frame->GetBounds(), this->Up, ShowsMore);
   this->Azimuth = this->GivenAzimuth.value_or(0.0);
   this->Elevation = this->GivenElevation.value_or(0.0);
-  if (this->Image)
+  if (this->Image && !seenThrough)
   {
     const std::array<double, 6> covered = InkFindCutSides(this->Image, frame);
     if (this->IsCutAcross(covered))

@@ -9,7 +9,7 @@
  *
  *     vtkNew<vtkInkView> view;
  *     view->Choose(mesh, "bunny.ply");
- *     view->ChooseForFrame(style->GetFramePoints());
+ *     view->ChooseForFrame(style->GetFramePoints(), style->IsSeenThrough());
  *     view->Apply(camera);
  *     fit->AddPoints(style->GetFramePoints(), camera);
  *     fit->Apply(camera);
@@ -93,10 +93,11 @@ public:
    * seen from its front or, where the cut is twice as large, from 45 degrees above that, or to the right of
    * its left. What covers more than half of the image's front, left and top, as a block that was cut out of a
    * rock, or of the box around it, as a block of its own, is seen from the corner between them, "iso", unless
-   * an angle was set.
+   * an angle was set. Where nothing hides what lies within it, both are seen straight ahead.
    * @param frame the points that the picture is fitted to, see vtkInkStyle::GetFramePoints; null: none
+   * @param seenThrough see vtkInkStyle::IsSeenThrough
    */
-  void ChooseForFrame(vtkPoints* frame);
+  void ChooseForFrame(vtkPoints* frame, bool seenThrough = false);
 
   /**
    * Makes a camera look from this side at the origin, from nowhere in particular: see vtkInkCameraFit.

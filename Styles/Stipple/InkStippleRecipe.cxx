@@ -92,6 +92,7 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   style->OfImage = images;
   const bool ofVoxels =
     images && !(this->Style->DrawsSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
+  style->OfVoxels = ofVoxels;
   if (ofVoxels)
   {
     this->StippleVoxels(leaves, input);

@@ -68,6 +68,7 @@ public:
   vtkMapper* GetMapper() override;
   vtkActor* GetActor() override;
   vtkLight* GetLight() override { return this->Light; }
+  bool IsSeenThrough() override { return this->OfVoxels; }
   void GetBackgroundColor(double color[3]) override;
   void SetColorByScalars(bool byScalars) override;
   bool GetColorByScalars() override;
@@ -172,6 +173,7 @@ private:
   std::vector<double> ColorRange;
   bool IdsAreInputs = false;
   bool OfImage = false;
+  bool OfVoxels = false;
   std::string MadeColorArray;
   int MadeColorAssociation = 0;
 

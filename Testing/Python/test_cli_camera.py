@@ -138,6 +138,21 @@ def test_volumes_are_not_seen_edge_on(ink, picture, tmp_path, style, thin, side)
         assert "shows more" not in ink("render", path, *small, *chosen).err
 
 
+def test_slabs_are_seen_through_straight_ahead(ink, picture, tmp_path):
+    """A few slices of a ball: their cut, at an angle, or the rim all around."""
+    path = tmp_path / "v.nrrd"
+    ink_files.write_nrrd(path, ink_files.blob()[13:19])
+    options = ("--size", 100, "-o", tmp_path / "o.png")
+    says = "cut to a slab, so it is seen at an angle"
+    assert says in ink("render", path, *options, "--iso", 100).err
+    through = ("--style", "stipple", "--stipple-source", "volume")
+    err = ink("render", path, *options, *through).err
+    assert says not in err and "shows more from its top" in err
+    straight = picture(path, *through, "--view", "top")
+    assert (straight < 128).any()
+    assert np.array_equal(picture(path, *through), straight)
+
+
 @pytest.mark.parametrize("axis, shape", [("x", (2, 3)), ("-x", (2, 3)), ("y", (3, 2)), ("-y", (3, 2)), ("z", (4, 2)), ("-z", (4, 2))])
 def test_up(drawn, tmp_path, axis, shape):
     """A box of 2 x 3 x 4: the axis that is up is its height."""

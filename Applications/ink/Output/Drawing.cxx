@@ -164,12 +164,13 @@ std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
   const std::pair angles(this->View->GetAzimuth(), this->View->GetElevation());
   if (!this->HasFrame && !this->Options.position)
   {
-    this->View->ChooseForFrame(frame);
+    this->View->ChooseForFrame(frame, this->Options.style->IsSeenThrough());
   }
   this->HasFrame = true;
   if (angles != std::pair(this->View->GetAzimuth(), this->View->GetElevation()))
   {
-    return { "what is drawn is cut to a slab, so it is seen at an angle; --view says otherwise" };
+    return { "what is drawn is cut to a slab, so it is seen at an angle; --view says otherwise, and --style "
+             "stipple --stipple-source volume shows what lies within it" };
   }
   const std::string& name = this->View->GetName();
   if (name != before && name == "iso")

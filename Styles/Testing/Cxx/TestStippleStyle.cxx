@@ -55,6 +55,7 @@ TEST(StippleStyle, StipplesOfImagesAreTheGenerators)
   EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::SURFACE)->GetNumberOfCells(), 0);
   EXPECT_EQ(style->GetPiece(vtkInkStippleStyle::NUMBERS)->GetNumberOfPoints(), 1);
   EXPECT_TRUE(style->GetOfImage());
+  EXPECT_TRUE(style->IsSeenThrough());
   EXPECT_EQ(style->GetStippleMapper()->GetPixelsPerStipple(), style->GetPixelsPerStipple());
   EXPECT_STREQ(style->GetPieceName(2), "Numbers");
   EXPECT_STREQ(style->GetPieceName(3), "Silhouettes' surface");
@@ -74,6 +75,7 @@ TEST(StippleStyle, IsoSurfacesAreStippledThemselves)
   EXPECT_GT(style->GetMTime(), before);
   ASSERT_TRUE(style->Draw(MakeBall()));
   EXPECT_EQ(style->GetNumberOfNotes(), 0);
+  EXPECT_FALSE(style->IsSeenThrough());
   // All of them on the surface, which hides what lies behind it, whatever the number of voxels.
   vtkPolyData* stipples = style->GetPiece(0);
   const double perList = static_cast<double>(stipples->GetNumberOfPoints()) / stipples->GetNumberOfVerts();

@@ -345,9 +345,11 @@ TEST(View, SlabsThatTheirImageCutsAreSeenAtAnAngle)
     double gap; ///< between what is drawn and both ends, voxels
     const char* name;
     double azimuth, elevation;
-  } slabs[] = { { { 11, 11, 3 }, 0.2, "front", 0.0, 45.0 }, { { 11, 11, 3 }, 0.9, "top", 0.0, 0.0 },
-    { { 3, 11, 11 }, 0.2, "left", 45.0, 0.0 }, { { 11, 11, 9 }, 0.0, "front", 0.0, 0.0 },
-    { { 11, 11, 8 }, 0.0, "front", 0.0, 0.0 }, { { 11, 11, 8 }, 0.9, "top", 0.0, 0.0 } };
+    const char* seenThrough;
+  } slabs[] = { { { 11, 11, 3 }, 0.2, "front", 0.0, 45.0, "top" },
+    { { 11, 11, 3 }, 0.9, "top", 0.0, 0.0, "top" }, { { 3, 11, 11 }, 0.2, "left", 45.0, 0.0, "left" },
+    { { 11, 11, 9 }, 0.0, "front", 0.0, 0.0, "front" }, { { 11, 11, 8 }, 0.0, "front", 0.0, 0.0, "top" },
+    { { 11, 11, 8 }, 0.9, "top", 0.0, 0.0, "top" } };
   for (const auto& slab : slabs)
   {
     vtkNew<vtkImageData> image;
@@ -390,6 +392,11 @@ TEST(View, SlabsThatTheirImageCutsAreSeenAtAnAngle)
     EXPECT_EQ(view->GetName(), slab.name) << slab.gap;
     EXPECT_EQ(view->GetAzimuth(), slab.azimuth) << slab.name;
     EXPECT_EQ(view->GetElevation(), slab.elevation) << slab.name;
+    // Through its flat sides.
+    view->ChooseForFrame(frame, true);
+    EXPECT_EQ(view->GetAzimuth(), 0.0);
+    EXPECT_EQ(view->GetElevation(), 0.0);
+    EXPECT_EQ(view->GetName(), slab.seenThrough) << slab.name;
     vtkNew<vtkInkView> said;
     said->SetElevation(20.0);
     said->SetAzimuth(10.0);
