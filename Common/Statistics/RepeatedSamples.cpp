@@ -40,7 +40,10 @@ bool isFull(const Changes& changes)
 template <class Sample>
 std::array<Changes, 3> findChanges(const Sample* samples, const std::array<int, 3>& dimensions)
 {
-  const auto [columns, rows, slices] = dimensions;
+  // No structured binding, which Clang before 16 does not let lambdas capture.
+  const int columns = dimensions[0];
+  const int rows = dimensions[1];
+  const int slices = dimensions[2];
   const auto row = [&](int y, int z)
   { return samples + (static_cast<std::size_t>(z) * rows + static_cast<std::size_t>(y)) * columns; };
   const std::size_t rowBytes = sizeof(Sample) * static_cast<std::size_t>(columns);

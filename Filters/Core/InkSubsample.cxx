@@ -25,17 +25,19 @@ struct TakePoints
   {
     const auto source = vtk::DataArrayTupleRange(from);
     auto target = vtk::DataArrayTupleRange(Array::FastDownCast(to));
-    const auto& [xs, ys, zs] = this->Axes;
-    const auto columns = static_cast<vtkIdType>(xs.Indices.size());
-    const auto rows = static_cast<vtkIdType>(ys.Indices.size());
+    // No structured binding, which Clang before 16 does not let lambdas capture.
+    const std::vector<int>& xs = this->Axes[0].Indices;
+    const std::vector<int>& ys = this->Axes[1].Indices;
+    const std::vector<int>& zs = this->Axes[2].Indices;
+    const auto columns = static_cast<vtkIdType>(xs.size());
+    const auto rows = static_cast<vtkIdType>(ys.size());
     const auto takeSlice = [&](std::size_t z)
     {
       vtkIdType point = static_cast<vtkIdType>(z) * rows * columns;
-      for (const int y : ys.Indices)
+      for (const int y : ys)
       {
-        const vtkIdType row =
-          (static_cast<vtkIdType>(zs.Indices[z]) * this->Dimensions[1] + y) * this->Dimensions[0];
-        for (const int x : xs.Indices)
+        const vtkIdType row = (static_cast<vtkIdType>(zs[z]) * this->Dimensions[1] + y) * this->Dimensions[0];
+        for (const int x : xs)
         {
           target[point++] = source[row + x];
         }
@@ -43,10 +45,10 @@ struct TakePoints
     };
     if (this->InParallel)
     {
-      ink::parallelFor(zs.Indices.size(), takeSlice);
+      ink::parallelFor(zs.size(), takeSlice);
       return;
     }
-    for (std::size_t z = 0; z < zs.Indices.size(); ++z)
+    for (std::size_t z = 0; z < zs.size(); ++z)
     {
       takeSlice(z);
     }
