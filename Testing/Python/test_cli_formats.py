@@ -28,7 +28,7 @@ def turned_nrrd(path):
 def capital_nrrd(path):
     """Words in letters of the other case, as some programs write them."""
     ink_files.write_nrrd(path, BLOB, "ASCII", space="ras", directions="(-1,0,0) (0,-1,0) (0,0,1)")
-    path.write_bytes(path.read_bytes().replace(b"type: uchar", b"type: UChar"))
+    path.write_bytes(path.read_bytes().replace(b"type: uchar", b"Type: UChar").replace(b"endian", b"ENDIAN"))
 
 
 def nifti_by_quaternion(path, volume, qfac):

@@ -58,7 +58,7 @@ public:
         "it has " + std::to_string(bytes.size()) + " bytes; expected an MRC or CCP4 map, whose header has " +
           std::to_string(sizeOfHeader));
     }
-    const unsigned char stamp = this->word(MachineStamp)[0];
+    const unsigned char stamp = this->saysMap() ? this->word(MachineStamp)[0] : 0;
     constexpr unsigned char little = 0x44;
     constexpr unsigned char big = 0x11;
     // Where there is no stamp, sizes are small numbers.
@@ -66,7 +66,8 @@ public:
       (stamp != little && this->read<std::uint32_t>(Size, true) < this->read<std::uint32_t>(Size, false));
   }
 
-  /// Whether it says what it is, as the standard has it since 2000.
+  /// Whether it says what it is, as the standard has it since 2000. Before, other words were elsewhere where
+  /// it has the origin and the machine stamp.
   bool saysMap() const { return std::memcmp(this->word(Map), "MAP ", 4) == 0; }
   bool bigEndian() const { return this->BigEndian; }
   std::int32_t whole(int word, int axis = 0) const
@@ -153,26 +154,21 @@ void takeSize(const MrcHeader& mrc, const fs::path& file, VolumeHeader& header)
 /// Along which axis of the cell, from 0, columns, rows and sections run.
 std::array<int, 3> axesOf(const MrcHeader& mrc, const fs::path& file)
 {
-  std::array<int, 3> axes;
-  std::array<int, 3> sorted;
-  for (int i = 0; i < 3; ++i)
-  {
-    axes[static_cast<std::size_t>(i)] = mrc.whole(AxisOf, i) - 1;
-  }
-  sorted = axes;
+  const std::array<int, 3> axes{ mrc.whole(AxisOf, 0), mrc.whole(AxisOf, 1), mrc.whole(AxisOf, 2) };
+  std::array<int, 3> sorted = axes;
   std::sort(sorted.begin(), sorted.end());
-  if (sorted == std::array{ -1, -1, -1 })
+  if (sorted == std::array{ 0, 0, 0 })
   {
     // Nobody has said so: as usual.
     return { 0, 1, 2 };
   }
-  if (sorted != std::array{ 0, 1, 2 })
+  if (sorted != std::array{ 1, 2, 3 })
   {
     failToRead(file,
       "its header says that columns, rows and sections run along the axes " + mrc.triple(AxisOf) +
         "; expected 1, 2 and 3 in any order");
   }
-  return axes;
+  return { axes[0] - 1, axes[1] - 1, axes[2] - 1 };
 }
 
 /// Angles that are not given are right ones.
@@ -199,7 +195,7 @@ void place(const MrcHeader& mrc, const std::array<int, 3>& axes, VolumeHeader& h
   bool hasOrigin = false;
   for (int axis = 0; axis < 3; ++axis)
   {
-    origin[axis] = mrc.real(Origin, axis);
+    origin[axis] = mrc.saysMap() ? mrc.real(Origin, axis) : 0.0;
     hasOrigin = hasOrigin || origin[axis] != 0.0;
   }
   for (int i = 0; i < 3; ++i)
@@ -226,7 +222,10 @@ VolumeHeader readMrcHeader(const fs::path& file)
   const MrcHeader mrc(bytes, file);
   if (!mrc.saysMap() && !fits(mrc, file))
   {
-    failToRead(file, "it is not an MRC or CCP4 map: it does not say 'MAP ' at byte 208");
+    failToRead(file,
+      "it is not an MRC or CCP4 map: it does not say 'MAP ' at byte 208, and is not of the size that an "
+      "older "
+      "one would have");
   }
   VolumeHeader header;
   header.format = "MRC map";

@@ -51,8 +51,11 @@ class NrrdHeader
 public:
   explicit NrrdHeader(const fs::path& file)
     : File(file)
-    , Fields(readTextHeader(file, ':', "", &this->Size))
   {
+    for (const auto& [name, value] : readTextHeader(file, ':', "", &this->Size))
+    {
+      this->Fields[vtksys::SystemTools::LowerCase(name)] = value;
+    }
     std::string magic(4, ' ');
     std::ifstream(file, std::ios::binary).read(magic.data(), 4);
     if (magic != "NRRD")
@@ -124,7 +127,7 @@ public:
   /// numbers.
   std::vector<double> directions(std::size_t axes) const
   {
-    std::string words = this->field("space directions");
+    std::string words = this->choice("space directions");
     if (const auto none = words.find("none"); none != std::string::npos)
     {
       words.erase(none, 4);
