@@ -45,7 +45,8 @@ constexpr double farFromMiddle = 0.08;
 // Up to so many times the least area of thresholds that are nearly as sharp, a surface is whole. At the
 // sharpest, those of four MR heads have 1.4 to 1.8 times, of 26 other volumes up to 1.12.
 constexpr double mostArea = 1.25;
-// Above the least area around a boundary more follows, so many times as much; less where none is clear.
+// Above the least area around a boundary more follows, so many times as much; less where none is clear: 1.25
+// of a FLAIR head.
 constexpr double areaAbove = 1.25;
 constexpr double areaAboveUnclear = 1.15;
 // Where no mask has cut something out, thresholds with this fraction of its sharpness count, too: heads that

@@ -347,7 +347,9 @@ IsoBoundary splitHistogram(
   {
     --split.begin;
   }
-  if (const auto around = findSurfaceAround(split, statistics, kept, false))
+  // Of the positive values the negative ones are not around.
+  const auto around = first == 0 ? findSurfaceAround(split, statistics, kept, false) : std::nullopt;
+  if (around)
   {
     return *around;
   }

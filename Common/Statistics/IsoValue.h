@@ -54,9 +54,9 @@ struct IsoSuggestion
 /// Not suggested are noise (too many single voxels, and many more than at lower values), the border of a
 /// scanner's field of view (nearly everything inside), fragments (less than a hundredth of what a lower
 /// boundary keeps), the peaks of smooth fields, as simulations have (less than a twentieth of the area of
-/// surfaces at lower values, and no material above), the change of sign of fields that fade to 0, as orbitals,
-/// the haze around a boundary whose step times what it keeps is clearly more, and, as long as there are other
-/// boundaries, the edge of a mask (edges that begin in a region of one value).
+/// surfaces at lower values, and no material above), the change of sign of fields that fade to 0, as
+/// orbitals, the haze around a boundary whose step times what it keeps is clearly more, and, as long as there
+/// are other boundaries, the edge of a mask (edges that begin in a region of one value).
 ///
 /// Where noise can hide boundaries, they are those of the smoothed volume, see smoothedSlices, from the first
 /// on that is clean in the values themselves, if there are no others or if that lies around them.
@@ -81,7 +81,7 @@ struct IsoSuggestion
 /// that keeps much less. If there is no boundary, it is 0 where the values have both signs and few edges
 /// cross it, and then Otsu's threshold (IEEE Trans. SMC 9, 1979), of what lies above it where its surface
 /// would be noise, of the positive values where they are differences around a background of 0 or fade to it,
-/// moved down as the first boundary is.
+/// moved down to the whole surface around it, if there is one, or else as the first boundary is.
 ///
 /// @tparam T any of the scalar types of VTK: signed and unsigned integers of 8 to 64 bits, float, double.
 /// @param values dimensions[0] * dimensions[1] * dimensions[2] voxels, x fastest. NaN and infinite ones are

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
 #include <vector>
 
 namespace
@@ -200,6 +201,38 @@ TEST(IsoBoundaries, AHazeAroundABoundaryIsNone)
   EXPECT_EQ(withHaze(14, 20000), (std::vector{ 60.0 }));
   EXPECT_EQ(withHaze(60, 20000).size(), 2U) << "as skin around bone";
   EXPECT_EQ(withHaze(14, 500).size(), 2U) << "around something small";
+}
+
+/// Of least area up to 35, somewhat more up to 37, 1.2 times as much up to 39, and then so much up to the
+/// inner boundary at 80.
+std::optional<ink::IsoBoundary> aroundBelow(std::int64_t hill, bool isClear)
+{
+  ink::IsoStatistics statistics({ 0.0, 1.0, 100 });
+  statistics.voxels.assign(100, 400);
+  statistics.voxels[0] = 60000;
+  for (std::size_t i = 0; i < statistics.edges.size(); ++i)
+  {
+    statistics.edges[i] = i < 36 ? 1000
+      : i < 38                   ? 1050
+      : i < 40                   ? std::min<std::int64_t>(1200, hill)
+      : i < 75                   ? hill
+                                 : 1000;
+    statistics.steps[i] = statistics.edges[i] * 100;
+  }
+  return ink::findSurfaceAround(
+    { 80.0, 80, 0.0, 75, 90 }, statistics, ink::keptShares(statistics.voxels), isClear);
+}
+
+TEST(IsoBoundaries, AroundAClearOneMoreAreaHasToFollowThanAroundAnUnclearOne)
+{
+  EXPECT_FALSE(aroundBelow(1220, true));
+  const auto unclear = aroundBelow(1220, false);
+  ASSERT_TRUE(unclear);
+  EXPECT_EQ(unclear->threshold, 37.0) << "half way to the hill";
+  const auto clear = aroundBelow(1300, true);
+  ASSERT_TRUE(clear);
+  EXPECT_EQ(clear->threshold, 39.0);
+  EXPECT_FALSE(aroundBelow(1100, false));
 }
 
 } // namespace

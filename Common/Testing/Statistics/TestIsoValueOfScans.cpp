@@ -329,3 +329,24 @@ TEST(IsoValueOfScans, OfDifferencesAroundABackgroundOfZeroIsPositive)
   ASSERT_TRUE(negative);
   EXPECT_LT(negative->value, 0.0);
 }
+
+TEST(IsoValueOfScans, OfFewPositiveValuesAmongNegativeOnesIsPositive)
+{
+  // The surface around all of them, which has less area, is that of no positive ones.
+  const auto suggestion = suggest(volume<float>(
+    [](double d, std::size_t i)
+    {
+      const double x = 0.4 * column(i);
+      const double y = 0.4 * (static_cast<int>(i) / size % size);
+      const double z = 0.4 * (static_cast<int>(i) / size / size);
+      const double g =
+        2.8 * std::sin(1.1 * x + 0.3 * y) * std::sin(1.2 * y - 0.2 * z) * std::sin(1.3 * z + 0.1 * x);
+      const double positive = 0.45 * std::pow(std::max(g - 0.71, 0.0), 2.0);
+      const double within = 1.0 / (1.0 + std::exp((d - 21.65) / 0.52));
+      const double value = within * (positive - 0.91 / (1.0 + std::exp((g - 0.41) / 0.1)));
+      return value < 0.01 && within < 0.01 ? 0.0 : value;
+    }));
+  ASSERT_TRUE(suggestion);
+  EXPECT_TRUE(suggestion->isLobe);
+  EXPECT_GT(suggestion->value, 0.1);
+}
