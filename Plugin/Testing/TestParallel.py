@@ -49,14 +49,14 @@ def write_files(folder):
     slices = vtkImageChangeInformation()
     slices.SetInputConnection(volume.GetOutputPort())
     slices.SetOutputSpacing(1, 1, 3)
-    # Made on a grid of a fourth of the size.
-    labels = numpy.zeros((8, 9, 10), numpy.uint8)
-    labels[1:4, 2:7, 2:8], labels[4:7, 3:6, 3:7] = 1, 2
+    # A ball with a lid, made on a grid of a third of the size.
+    z, y, x = numpy.indices((20, 21, 22)) - numpy.array([9.5, 10, 10.5]).reshape(3, 1, 1, 1)
+    labels = (numpy.hypot(numpy.hypot(x, y), z) < 9.2).astype(numpy.uint8) * numpy.where(z > 4, 2, 1).astype(numpy.uint8)
     grid = vtkImageData()
-    grid.SetDimensions(40, 36, 32)
+    grid.SetDimensions(66, 63, 60)
     enlarged = vtkTrivialProducer()
     enlarged.SetOutput(grid)
-    values = numpy_to_vtk(labels.repeat(4, 0).repeat(4, 1).repeat(4, 2).ravel(), deep=True)
+    values = numpy_to_vtk(labels.repeat(3, 0).repeat(3, 1).repeat(3, 2).ravel(), deep=True)
     values.SetName("Labels")
     grid.GetPointData().SetScalars(values)
     surface = vtkFlyingEdges3D()
@@ -156,11 +156,14 @@ class TestParallel(unittest.TestCase):
             write_files(pathlib.Path(inputs))
             expected_points, expected_pictures = self.drawings(1, inputs)
             self.assertEqual(len(expected_points), 2 * 7 + 2 * 3 + 8 + 2 + 1 + (3 if INK else 0))
-            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 1 + 4 + 1 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6 + 1)
+            self.assertEqual(len(expected_pictures), 1 + 3 * 3 + 1 + 4 + 1 + 5 + 5 + 2 + 2 + 2 + 5 + 2 + 5 + 6 + 2)
             for name, points in expected_points.items():
                 self.assertGreater(len(points), 1000, name)
             for name, picture in expected_pictures.items():
                 self.assertGreater(numpy.mean(numpy.all(picture < 128, axis=-1)), 0.01, name)
+            with self.subTest("what was enlarged is drawn as what it was made of"):
+                made_of, blocks = (expected_pictures[f"{name}-solid-illustration"] for name in ("enlarged", "enlarged-blocks"))
+                self.assertGreater((numpy.abs(made_of - blocks).max(axis=-1) > 60).mean(), 0.02)
             for processes, chosen in ((2, OF_TWO), (4, ())):
                 found_points, found_pictures = self.drawings(processes, inputs, chosen)
                 self.assertEqual(set(found_points), set(expected_points))

@@ -122,7 +122,9 @@ SetActiveSource(thick)
 save_points("slices-sampler", InkIsoSurfaceSampler(Input=thick, Isosurfaces=[150.0], Smoothing=1, ShapeBasedInterpolation=1))
 draw("slices-solid-illustration", thick, "Illustration", IllustrationShapeBasedInterpolation="On")
 # What was enlarged is drawn as what it was made of.
-draw("enlarged-solid-illustration", OpenDataFile(f"{INPUT}/enlarged.pvti"), "Illustration")
+enlarged = OpenDataFile(f"{INPUT}/enlarged.pvti")
+draw("enlarged-solid-illustration", enlarged, "Illustration")
+draw("enlarged-blocks-solid-illustration", enlarged, "Illustration", IllustrationLabelMap="Off")
 draw("outlined-solid-illustration", wavelet, "Illustration", IllustrationSilhouettes=1)
 draw("outlined-lines", wavelet, "Splatting Lines", Phi=100, LinesSilhouettes=1)
 draw("see-through-solid-illustration", wavelet, "Illustration", IllustrationSeeThrough=1, IllustrationAutomaticIsoValue=0,

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <new>
 #include <vector>
 
 namespace
@@ -83,6 +84,19 @@ std::vector<std::string> NamesOfArrays(vtkImageData* part)
   return names;
 }
 
+/// The same, but without memory for it nothing is found: others wait for what this process says.
+Original TryToFind(vtkImageData* whole, const InkOriginalImage::Search& search)
+{
+  try
+  {
+    return whole ? FindIn(whole, search) : Original{};
+  }
+  catch (const std::bad_alloc&)
+  {
+    return {};
+  }
+}
+
 Original FindInParts(InkStyleProcesses& processes, vtkImageData* part, const InkOriginalImage::Search& search)
 {
   int points = 0;
@@ -96,7 +110,7 @@ Original FindInParts(InkStyleProcesses& processes, vtkImageData* part, const Ink
   InkOriginalImage::Search named = search;
   named.Array = array;
   const vtkSmartPointer<vtkImageData> whole = Gather(processes, part, array);
-  Original found = whole ? FindIn(whole, named) : Original{};
+  const Original found = TryToFind(whole, named);
   std::vector<double> isFound{ found.Image ? 1.0 : 0.0 };
   processes.TakeOfFirst(isFound);
   if (isFound[0] == 0.0)
@@ -118,14 +132,14 @@ Original FindInParts(InkStyleProcesses& processes, vtkImageData* part, const Ink
       whole->GetPointData()->AddArray(more->GetPointData()->GetScalars());
     }
   }
-  return whole ? FindIn(whole, named) : found;
+  return TryToFind(whole, named);
 }
 
 } // namespace
 
 bool InkOriginalImage::IsKnown(vtkImageData* image, const Search& search) const
 {
-  return this->Image == image && (!image || this->Time == image->GetMTime()) && this->Looked == search;
+  return this->Image == image && this->Time == (image ? image->GetMTime() : 0) && this->Looked == search;
 }
 
 bool InkOriginalImage::Find(InkStyleProcesses& processes, vtkDataObject* data, const Search& search)
@@ -145,11 +159,11 @@ bool InkOriginalImage::Find(InkStyleProcesses& processes, vtkDataObject* data, c
     return this->Source != nullptr;
   }
   *this = {};
+  const Original found =
+    processes.GetNumber() > 1 ? FindInParts(processes, image, search) : FindIn(image, search);
   this->Image = image;
   this->Time = image ? image->GetMTime() : 0;
   this->Looked = search;
-  const Original found =
-    processes.GetNumber() > 1 ? FindInParts(processes, image, search) : FindIn(image, search);
   std::vector<double> numbers;
   if (found.Image)
   {

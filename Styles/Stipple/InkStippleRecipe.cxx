@@ -67,6 +67,7 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   vtkInkStippleStyle* style = this->Style;
   const InkLeaves leaves(input.Data, style->IsoSurface->GetScalars());
   style->IdsAreInputs = false;
+  style->OfVoxels = false;
   style->MadeColorArray.clear();
   style->MadeColorAssociation = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   this->Generator->SetPictureSize(style->GetPictureSize());

@@ -169,8 +169,10 @@ std::vector<std::string> Drawing::lookAtFrame(vtkPoints* frame)
   this->HasFrame = true;
   if (angles != std::pair(this->View->GetAzimuth(), this->View->GetElevation()))
   {
-    return { "what is drawn is cut to a slab, so it is seen at an angle; --view says otherwise, and --style "
-             "stipple --stipple-source volume shows what lies within it" };
+    return {
+      "what is drawn is cut to a slab, so it is seen at an angle; --view says otherwise, and stipples of "
+      "voxels (--style stipple --stipple-source volume) show what lies within it"
+    };
   }
   const std::string& name = this->View->GetName();
   if (name != before && name == "iso")
