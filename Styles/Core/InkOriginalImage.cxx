@@ -43,6 +43,20 @@ Original FindIn(vtkImageData* given, const InkOriginalImage::Search& search)
   return found.Image == image.Get() || (found.WasRepeated && !search.Repeats) ? Original{} : found;
 }
 
+/// The same, but nothing is found where memory does not suffice: other processes wait for what this one says.
+/// @param whole null: none
+Original TryToFind(vtkImageData* whole, const InkOriginalImage::Search& search)
+{
+  try
+  {
+    return whole ? FindIn(whole, search) : Original{};
+  }
+  catch (const std::bad_alloc&)
+  {
+    return {};
+  }
+}
+
 /// The image that all processes' parts make, with the one array: on the first process, if there is one.
 /// @param part null: none here
 vtkSmartPointer<vtkImageData> Gather(
@@ -82,19 +96,6 @@ std::vector<std::string> NamesOfArrays(vtkImageData* part)
     }
   }
   return names;
-}
-
-/// The same, but without memory for it nothing is found: others wait for what this process says.
-Original TryToFind(vtkImageData* whole, const InkOriginalImage::Search& search)
-{
-  try
-  {
-    return whole ? FindIn(whole, search) : Original{};
-  }
-  catch (const std::bad_alloc&)
-  {
-    return {};
-  }
 }
 
 Original FindInParts(InkStyleProcesses& processes, vtkImageData* part, const InkOriginalImage::Search& search)

@@ -484,12 +484,12 @@ def test_label_maps(ink, tmp_path):
 @pytest.mark.one_build
 def test_thick_slices(ink, refused, tmp_path):
     """Contours are interpolated a few slices at a time as in memory, unless memory has no room for what distances reach into."""
-    z, y, x = np.ogrid[:360, :256, :256]
-    tubes = {"1,1,4": np.hypot(y - 127.7, x - 127.2 - 50 * np.sin(z / 15)), "4,1,1": np.hypot(y - 127.7, z - 180 - 50 * np.sin(x / 15))}
+    z, y, x = np.ogrid[:264, :256, :256]
+    tubes = {"1,1,4": np.hypot(y - 127.7, x - 127.2 - 50 * np.sin(z / 15)), "4,1,1": np.hypot(y - 127.7, z - 132 - 50 * np.sin(x / 15))}
 
     def command(spacing, memory, interpolation):
         np.clip(100 - 60 * (tubes[spacing] - 40), 0, 200).astype(np.uint8).tofile(tmp_path / "v.raw")
-        return ("render", tmp_path / "v.raw", "--raw", "256x256x360:uint8", "--spacing", spacing, "--iso", 20, "--size", "300x300",
+        return ("render", tmp_path / "v.raw", "--raw", "256x256x264:uint8", "--spacing", spacing, "--iso", 20, "--size", "300x300",
                 "--memory", memory, "--style", "splatting-lines", "--smoothing", 1, "--subdivision", 1,
                 "--shape-based-interpolation", interpolation, "-o", tmp_path / "picture.png")
 
