@@ -45,9 +45,8 @@ constexpr double farFromMiddle = 0.08;
 // Up to so many times the least area of thresholds that are nearly as sharp, a surface is whole. At the
 // sharpest, those of four MR heads have 1.4 to 1.8 times, of 26 other volumes up to 1.12.
 constexpr double mostArea = 1.25;
-// Above the least area around a boundary more follows, so many times as much; less where none is clear: 1.25
-// of a FLAIR head.
-constexpr double areaAbove = 1.25;
+// Above the least area around a clear boundary mostArea times as much follows, or more, and so many times
+// where none is clear: 1.25 of a FLAIR head.
 constexpr double areaAboveUnclear = 1.15;
 // Where no mask has cut something out, thresholds with this fraction of its sharpness count, too: heads that
 // are a mean of many, and noisy ones, are whole there.
@@ -382,7 +381,7 @@ std::optional<IsoBoundary> findSurfaceAround(
   }
   // The area is small above the brightest material, too: here more of it follows.
   const std::vector<std::int64_t>& edges = statistics.edges;
-  const double valleyArea = isClear ? areaAbove : areaAboveUnclear;
+  const double valleyArea = isClear ? mostArea : areaAboveUnclear;
   std::size_t least = inner.index;
   std::int64_t hill = 0;
   std::int64_t highest = 0;

@@ -3,6 +3,7 @@
 
 #include "Fields/ScalarDifference.h"
 #include "Statistics/AreLabels.h"
+#include "Statistics/ChangedSlices.h"
 #include "Statistics/CoveredSides.h"
 #include "Statistics/FilledBox.h"
 #include "Statistics/HounsfieldUnits.h"
@@ -80,61 +81,6 @@ int countSmoothedAtOnce(const std::array<int, 3>& dimensions, int slicesAtOnce)
 double valueAt(const ValueBins& bins, double threshold)
 {
   return bins.low + (threshold + 1.0) * bins.width;
-}
-
-/// A volume whose values that are so are another one.
-template <typename T, class Suits>
-SliceReader<T> replacedSlices(const SliceReader<T>& read, const Suits& isSo, T other)
-{
-  return [read, isSo, other, held = std::vector<T>()](int first, int last) mutable
-  {
-    const std::span<const T> values = read(first, last);
-    held.assign(values.begin(), values.end());
-    std::replace_if(held.begin(), held.end(), isSo, other);
-    return std::span<const T>(held);
-  };
-}
-
-/// A volume whose fill value is NaN, see ValueBins::fill.
-template <typename T>
-SliceReader<T> withoutFill(const SliceReader<T>& read, double fill)
-{
-  if constexpr (std::is_floating_point_v<T>)
-  {
-    if (!std::isnan(fill))
-    {
-      return replacedSlices(
-        read, [fill = static_cast<T>(fill)](T value) { return value == fill; },
-        std::numeric_limits<T>::quiet_NaN());
-    }
-  }
-  return read;
-}
-
-/// Some voxels of a volume.
-/// @param read must outlive the result
-/// @param box the first and the last one along x, y and z
-template <typename T>
-SliceReader<T> croppedSlices(
-  const SliceReader<T>& read, const std::array<int, 3>& dimensions, const std::array<int, 6>& box)
-{
-  return [&read, dimensions, box, held = std::vector<T>()](int first, int last) mutable
-  {
-    const std::span<const T> values = read(box[4] + first, box[4] + last);
-    const auto width = static_cast<std::size_t>(dimensions[0]);
-    const auto height = static_cast<std::size_t>(dimensions[1]);
-    held.clear();
-    for (std::size_t row = 0; row < values.size() / width; ++row)
-    {
-      const auto y = static_cast<int>(row % height);
-      if (y >= box[2] && y <= box[3])
-      {
-        const auto kept = values.subspan(row * width + box[0], box[1] - box[0] + 1);
-        held.insert(held.end(), kept.begin(), kept.end());
-      }
-    }
-    return std::span<const T>(held);
-  };
 }
 
 /// The values of both signs below which a field is faint that fades to 0 on all sides of what it has, as an
@@ -415,15 +361,6 @@ std::optional<double> findLeastMeasured(const IsoStatistics& statistics)
   const bool isPadded = static_cast<double>(voxels[0]) > paddingShare * all &&
     statistics.bins.low < farBelow * least && least < 0.0;
   return isPadded ? std::optional(least) : std::nullopt;
-}
-
-/// A volume none of whose values is below one.
-template <typename T>
-SliceReader<T> raisedSlices(const SliceReader<T>& read, double least)
-{
-  const T lowest = static_cast<T>(std::is_integral_v<T> ? std::ceil(least) : least);
-  return replacedSlices(
-    read, [lowest](T value) { return value < lowest; }, lowest);
 }
 
 /// Whatever surrounds the volume.

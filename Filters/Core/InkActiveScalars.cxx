@@ -20,6 +20,20 @@ std::pair<bool, std::string> InkRankOfArray(int components, const char* name)
   return { components != 1, name ? name : "" };
 }
 
+std::vector<std::string> InkNamesOfValues(vtkDataSetAttributes* attributes)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = attributes->GetArray(i);
+    if (array && array->GetName() && !InkIsGhostArray(array->GetName()))
+    {
+      names.emplace_back(array->GetName());
+    }
+  }
+  return names;
+}
+
 vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes)
 {
   const auto rankOf = [](vtkDataArray* array)

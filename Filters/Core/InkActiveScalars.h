@@ -10,6 +10,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkDataArray;
@@ -22,6 +23,9 @@ VTKINKFILTERSCORE_EXPORT bool InkIsGhostArray(const char* name);
 /// Where an array comes among others of which one is used: those of one component first, then by their names,
 /// whatever the order in which a file or a process has them. @param name or null
 VTKINKFILTERSCORE_EXPORT std::pair<bool, std::string> InkRankOfArray(int components, const char* name);
+
+/// The names of numeric arrays, without those of ghosts.
+VTKINKFILTERSCORE_EXPORT std::vector<std::string> InkNamesOfValues(vtkDataSetAttributes* attributes);
 
 /// The numeric array of values that comes first by InkRankOfArray; null if there is none.
 VTKINKFILTERSCORE_EXPORT vtkDataArray* InkFirstValues(vtkDataSetAttributes* attributes);

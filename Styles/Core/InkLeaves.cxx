@@ -11,7 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -32,21 +31,6 @@ bool AreStipples(vtkPolyData* data)
     data->GetNumberOfVerts() == data->GetNumberOfCells();
 }
 
-/// The names of numeric arrays, without those of ghosts.
-std::vector<std::string> NamesOf(vtkDataSetAttributes* values)
-{
-  std::vector<std::string> names;
-  for (int i = 0; i < values->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* array = values->GetArray(i);
-    if (array && array->GetName() && !InkIsGhostArray(array->GetName()))
-    {
-      names.emplace_back(array->GetName());
-    }
-  }
-  return names;
-}
-
 /// "'density', 'pressure'", or "none".
 std::string Listed(const std::vector<std::string>& names)
 {
@@ -61,8 +45,8 @@ std::string Listed(const std::vector<std::string>& names)
 /// "with 'density', 'pressure'", or "with none".
 std::string NameArrays(vtkImageData* image)
 {
-  std::vector<std::string> names = NamesOf(image->GetPointData());
-  const std::vector<std::string> ofCells = NamesOf(image->GetCellData());
+  std::vector<std::string> names = InkNamesOfValues(image->GetPointData());
+  const std::vector<std::string> ofCells = InkNamesOfValues(image->GetCellData());
   names.insert(names.end(), ofCells.begin(), ofCells.end());
   return "with " + Listed(names);
 }
@@ -79,7 +63,7 @@ std::string MissingIn(vtkDataSet* data, const std::string& array, bool points, b
   std::string lists;
   const auto list = [&](const char* what, vtkDataSetAttributes* values)
   {
-    const std::vector<std::string> names = NamesOf(values);
+    const std::vector<std::string> names = InkNamesOfValues(values);
     known.insert(known.end(), names.begin(), names.end());
     lists += (lists.empty() ? "" : ", ") + (what + Listed(names));
   };

@@ -83,21 +83,6 @@ bool KeepsAllPoints(vtkImageData* image)
     image->HasAnyBlankPoints();
 }
 
-std::vector<std::string> NamesOfArrays(vtkImageData* part)
-{
-  std::vector<std::string> names;
-  vtkPointData* points = part ? part->GetPointData() : nullptr;
-  for (int i = 0; points && i < points->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* values = points->GetArray(i);
-    if (values && values->GetName() && !InkIsGhostArray(values->GetName()))
-    {
-      names.emplace_back(values->GetName());
-    }
-  }
-  return names;
-}
-
 Original FindInParts(InkStyleProcesses& processes, vtkImageData* part, const InkOriginalImage::Search& search)
 {
   int points = 0;
@@ -119,7 +104,7 @@ Original FindInParts(InkStyleProcesses& processes, vtkImageData* part, const Ink
     return {};
   }
   // Only now are the others wanted, which the picture may show as colors.
-  const std::vector<std::string> names = NamesOfArrays(part);
+  const auto names = part ? InkNamesOfValues(part->GetPointData()) : std::vector<std::string>();
   for (std::size_t i = 0;; ++i)
   {
     std::string other = i < names.size() ? names[i] : "";
@@ -148,29 +133,30 @@ bool InkOriginalImage::Find(InkStyleProcesses& processes, vtkDataObject* data, c
   auto* image = vtkImageData::SafeDownCast(data);
   // Processes have to agree on what they do; one without a part may have any empty data.
   const bool isOther = data && !image && data->GetNumberOfElements(vtkDataObject::POINT) > 0;
-  std::array differs{ isOther ? 1.0 : 0.0, image && KeepsAllPoints(image) ? 1.0 : 0.0,
-    this->IsKnown(image, search) ? 0.0 : 1.0, image ? 1.0 : 0.0 };
-  processes.TakeGreatest(differs);
-  if (differs[0] > 0.0 || differs[1] > 0.0 || differs[3] == 0.0)
+  std::array found{ image ? 1.0 : 0.0, isOther || (image && KeepsAllPoints(image)) ? 1.0 : 0.0,
+    this->IsKnown(image, search) ? 0.0 : 1.0 };
+  processes.TakeGreatest(found);
+  const auto [images, unfit, unknown] = found;
+  if (images == 0.0 || unfit > 0.0)
   {
     return false;
   }
-  if (differs[2] == 0.0)
+  if (unknown == 0.0)
   {
     return this->Source != nullptr;
   }
   *this = {};
-  const Original found =
+  const Original original =
     processes.GetNumber() > 1 ? FindInParts(processes, image, search) : FindIn(image, search);
   this->Image = image;
   this->Time = image ? image->GetMTime() : 0;
   this->Looked = search;
   std::vector<double> numbers;
-  if (found.Image)
+  if (original.Image)
   {
-    const int* voxels = found.Image->GetDimensions();
+    const int* voxels = original.Image->GetDimensions();
     numbers.assign(voxels, voxels + 3);
-    numbers.push_back(found.WasRepeated ? 1.0 : 0.0);
+    numbers.push_back(original.WasRepeated ? 1.0 : 0.0);
   }
   processes.TakeOfFirst(numbers);
   if (numbers.empty())
@@ -185,6 +171,6 @@ bool InkOriginalImage::Find(InkStyleProcesses& processes, vtkDataObject* data, c
     ink::formatDimensions(voxels) + " that it was made of; " +
     (wasRepeated ? "LabelMap" : "ShapeBasedInterpolation") + " off draws it as it is";
   this->Source = vtkSmartPointer<vtkTrivialProducer>::New();
-  this->Source->SetOutput(found.Image ? found.Image : vtkSmartPointer<vtkImageData>::New());
+  this->Source->SetOutput(original.Image ? original.Image : vtkSmartPointer<vtkImageData>::New());
   return true;
 }

@@ -97,6 +97,10 @@ std::string vtkInkStyle::TryPieces(const Input& input)
 
 vtkInkStyle::Input vtkInkStyle::TakeOriginal(const Input& input)
 {
+  if (input.IsOriginal)
+  {
+    return input;
+  }
   const auto is = [&](const char* parameter, const char* value)
   {
     const InkParameter* known = this->GetParameterTable().Find(parameter);
@@ -104,7 +108,7 @@ vtkInkStyle::Input vtkInkStyle::TakeOriginal(const Input& input)
   };
   const bool repeats = !is("LabelMap", "off");
   const bool slices = is("ShapeBasedInterpolation", "auto") && this->DrawsSurfaces(input);
-  if (input.IsOriginal || (!repeats && !slices) ||
+  if ((!repeats && !slices) ||
     !this->Original->Find(
       this->GetProcesses(), input.Data, { this->GetParameterAsString("Scalars"), repeats, slices }))
   {

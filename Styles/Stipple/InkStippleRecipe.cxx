@@ -91,10 +91,8 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   const bool images = found[0] > 0.0;
   const bool stipples = found[1] > 0.0;
   style->OfImage = images;
-  const bool ofVoxels =
-    images && !(this->Style->DrawsSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
-  style->OfVoxels = ofVoxels;
-  if (ofVoxels)
+  style->OfVoxels = images && !(this->Style->DrawsSurfaces(input) && this->StippleIsoSurfaces(leaves, input));
+  if (style->OfVoxels)
   {
     this->StippleVoxels(leaves, input);
   }
@@ -115,7 +113,7 @@ std::string InkStippleRecipe::Make(const vtkInkStyle::Input& input)
   }
   if (style->GetPiece(vtkInkStippleStyle::STIPPLES)->GetNumberOfPoints() == 0)
   {
-    style->AddNote(!ofVoxels ? "nothing to draw: no stipple was placed"
+    style->AddNote(!style->OfVoxels ? "nothing to draw: no stipple was placed"
         : this->Generator->GetUseScalarWindow()
         ? "nothing to draw: no voxel has a gradient that is steep enough and a value in the window"
         : "nothing to draw: no voxel has a gradient that is steep enough");

@@ -32,13 +32,19 @@ double airOfMR(std::size_t i)
   return 14.0 * std::sqrt(-2.0 * std::log(0.5 + 0.4999 * noise(i)));
 }
 
-/// Smooth in space, from -1 to 1.
-double waves(std::size_t i)
+/// Smooth in space, from -1 to 1. @param scale below 1: longer waves
+double waves(std::size_t i, double scale = 1.0)
 {
-  const auto x = static_cast<double>(column(i));
-  const auto y = static_cast<double>(static_cast<int>(i) / size % size);
-  const auto z = static_cast<double>(static_cast<int>(i) / size / size);
+  const double x = scale * column(i);
+  const double y = scale * (static_cast<int>(i) / size % size);
+  const double z = scale * (static_cast<int>(i) / size / size);
   return std::sin(1.1 * x + 0.3 * y) * std::sin(1.2 * y - 0.2 * z) * std::sin(1.3 * z + 0.1 * x);
+}
+
+/// From 1 to 0, which it is from a radius on, evenly over a width.
+double ramp(double distance, double radius, double width)
+{
+  return std::clamp((radius - distance) / width, 0.0, 1.0);
 }
 
 } // namespace
@@ -166,7 +172,7 @@ TEST(IsoValueOfScans, IsNotTheScrapsOfTheBrightestSpots)
   const auto values = volume<unsigned char>(
     [](double d, std::size_t i)
     {
-      const double fades = std::clamp((20.0 - d) / 8.0, 0.0, 1.0);
+      const double fades = ramp(d, 20.0, 8.0);
       return 2.0 + noise(i) + fades * 25.0 * std::exp(2.2 * waves(i) * waves(i) * waves(i));
     });
   const auto suggestion = suggest(values);
@@ -235,8 +241,8 @@ TEST(IsoValueOfScans, OfTissueWithoutABoundaryIsBelowItsBrightParts)
   const auto values = volume<unsigned char>(
     [](double d, std::size_t i)
     {
-      const double skin = std::clamp((20.0 - d) / 4.0, 0.0, 1.0);
-      const double within = std::clamp((17.0 - d) / 4.0, 0.0, 1.0);
+      const double skin = ramp(d, 20.0, 4.0);
+      const double within = ramp(d, 17.0, 4.0);
       const double w = waves(i);
       return 2.0 + noise(i) + 10.0 * skin + within * (10.0 * (1.0 + w) + 15.0 * std::exp(3.0 * w * w * w));
     });
@@ -259,11 +265,9 @@ TEST(IsoValueOfScans, IsTheSkinWhereTheBrainIsBrighter)
   const auto values = volume<short>(
     [](double d, std::size_t i)
     {
-      const auto within = [&](double radius, double width)
-      { return std::clamp((radius - d) / width, 0.0, 1.0); };
       const double w = waves(i);
-      return airOfMR(i) / 3.0 + (60.0 + 70.0 * (1.0 + w)) * within(21.0, 3.0) * (1.0 - within(18.0, 1.5)) +
-        (260.0 + 60.0 * w) * within(16.0 + 1.5 * w, 1.5);
+      return airOfMR(i) / 3.0 + (60.0 + 70.0 * (1.0 + w)) * ramp(d, 21.0, 3.0) * (1.0 - ramp(d, 18.0, 1.5)) +
+        (260.0 + 60.0 * w) * ramp(d, 16.0 + 1.5 * w, 1.5);
     });
   expectBetween(suggest(values), Boundary::Outermost, 10.0, 60.0);
 }
@@ -274,12 +278,10 @@ TEST(IsoValueOfScans, IsTheSkinWhereNoBoundaryIsClear)
   const auto values = volume<short>(
     [](double d, std::size_t i)
     {
-      const auto within = [&](double radius, double width)
-      { return std::clamp((radius - d) / width, 0.0, 1.0); };
       const double w = waves(i);
       return airOfMR(i) / 3.0 +
-        (10.0 + 45.0 * (1.0 + w) * (1.0 + w)) * within(21.0, 2.0) * (1.0 - within(18.0, 2.0)) +
-        (220.0 + 60.0 * w) * within(16.0 + 3.0 * w, 4.0);
+        (10.0 + 45.0 * (1.0 + w) * (1.0 + w)) * ramp(d, 21.0, 2.0) * (1.0 - ramp(d, 18.0, 2.0)) +
+        (220.0 + 60.0 * w) * ramp(d, 16.0 + 3.0 * w, 4.0);
     });
   expectBetween(suggest(values), Boundary::None, 15.0, 45.0);
 }
@@ -336,11 +338,7 @@ TEST(IsoValueOfScans, OfFewPositiveValuesAmongNegativeOnesIsPositive)
   const auto suggestion = suggest(volume<float>(
     [](double d, std::size_t i)
     {
-      const double x = 0.4 * column(i);
-      const double y = 0.4 * (static_cast<int>(i) / size % size);
-      const double z = 0.4 * (static_cast<int>(i) / size / size);
-      const double g =
-        2.8 * std::sin(1.1 * x + 0.3 * y) * std::sin(1.2 * y - 0.2 * z) * std::sin(1.3 * z + 0.1 * x);
+      const double g = 2.8 * waves(i, 0.4);
       const double positive = 0.45 * std::pow(std::max(g - 0.71, 0.0), 2.0);
       const double within = 1.0 / (1.0 + std::exp((d - 21.65) / 0.52));
       const double value = within * (positive - 0.91 / (1.0 + std::exp((g - 0.41) / 0.1)));

@@ -223,9 +223,8 @@ VolumeHeader readMrcHeader(const fs::path& file)
   if (!mrc.saysMap() && !fits(mrc, file))
   {
     failToRead(file,
-      "it is not an MRC or CCP4 map: it does not say 'MAP ' at byte 208, and is not of the size that an "
-      "older "
-      "one would have");
+      "it is not an MRC or CCP4 map: it does not say 'MAP ' at byte 208, "
+      "and is not of the size that an older one would have");
   }
   VolumeHeader header;
   header.format = "MRC map";
