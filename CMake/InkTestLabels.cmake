@@ -5,7 +5,7 @@
 set(_ink_test_labels
   "curvature:Curvature|SurfaceRings|JetFit|ExponentialMap"
   "fields:UnitOrZero|ActiveScalars|CellCenters|ImageOfGrid|Subsample|AnalyticFields|AxisResampling|Projection|Grid(Field|Geometry)|Gradient|Crop|Laplacian|NormalMethods|ResampleGrid|SampleBox|SliceDistances|VdbField"
-  "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components|Extent)|CutSamples|LabelBorders|IsoThreshold|MinMaxBricks|Point(Normals|Radii|Spacing|Clouds|Priority)"
+  "sampling:PoissonDisk|BlueNoise|WhiteNoise|IsoSurface|Sampl(er|es|ing)|SampleRadius|ActiveCell(Bound|Components|Extent)|CutSamples|LabelBorders|IsoThreshold|MinMaxBricks|Point(Normals|Output|Radii|Spacing|Clouds|Priority)"
   "sampling:KdTree|CoincidentPoints|ImageSlabs|MemoryBudget|DiscSamples|SampleGroups|ProgressiveOrder|SurfaceStretch|GeodesicUnfolding|MeshOrder|FeatureNormals"
   "stippling:Stippl|QuantizedPosition"
   "tone:Tone|Hatching|LocalSpacing|AreaSamples|DotCoverage|HlsColor|SmallElements|WarmCool"

@@ -3,6 +3,8 @@
 
 #include "Core/ParallelChunks.h"
 #include "InkAllocate.h"
+#include "InkTrimArray.h"
+#include "InkVTKCompat.h"
 #include "IsoSurface/CutSamples.h"
 
 #include "vtkCellArray.h"
@@ -12,11 +14,13 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -58,6 +62,35 @@ void NarrowRims(Array* points, vtkDataArray* radii)
     });
 }
 
+vtkSmartPointer<vtkDataArray> MakeIds(vtkIdType count)
+{
+  return vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(InkFindIdType(count)));
+}
+
+template <class IdArray>
+vtkSmartPointer<vtkCellArray> MakePolyVertices(std::span<const vtkIdType> begins, IdArray* ids)
+{
+  using Id = typename IdArray::ValueType;
+  vtkNew<IdArray> offsets;
+  InkSetNumberOfTuples(offsets, static_cast<vtkIdType>(begins.size()));
+  std::transform(
+    begins.begin(), begins.end(), offsets->GetPointer(0), [](vtkIdType id) { return static_cast<Id>(id); });
+  InkSetNumberOfTuples(ids, begins.back());
+  InkTrimArray(ids);
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + begins.back(), Id(0));
+  ids->Modified();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, ids);
+  return cells;
+}
+
+vtkSmartPointer<vtkCellArray> MakePolyVertices(std::span<const vtkIdType> begins, vtkDataArray* ids)
+{
+  auto* small = vtkTypeInt32Array::SafeDownCast(ids);
+  return small ? MakePolyVertices(begins, small)
+               : MakePolyVertices(begins, vtkTypeInt64Array::SafeDownCast(ids));
+}
+
 } // namespace
 
 void InkNarrowRims(vtkPoints* points, vtkDataArray* radii)
@@ -72,22 +105,25 @@ void InkNarrowRims(vtkPoints* points, vtkDataArray* radii)
   }
 }
 
+int InkFindIdType(vtkIdType count)
+{
+  return count <= std::numeric_limits<vtkTypeInt32>::max() ? VTK_TYPE_INT32 : VTK_TYPE_INT64;
+}
+
+vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins)
+{
+  return MakePolyVertices(begins, MakeIds(begins.back()));
+}
+
 vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count)
 {
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  if (count == 0)
-  {
-    return cells;
-  }
-  vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(2);
-  offsets->SetValue(0, 0);
-  offsets->SetValue(1, count);
-  vtkNew<vtkTypeInt64Array> points;
-  InkSetNumberOfTuples(points, count);
-  std::iota(points->GetPointer(0), points->GetPointer(0) + count, vtkTypeInt64(0));
-  cells->SetData(offsets, points);
-  return cells;
+  return InkMakePolyVertex(count, MakeIds(count));
+}
+
+vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count, vtkDataArray* ids)
+{
+  const vtkIdType begins[] = { 0, count };
+  return count > 0 ? MakePolyVertices(begins, ids) : vtkSmartPointer<vtkCellArray>::New();
 }
 
 vtkSmartPointer<vtkDataArray> InkMakePriority(vtkIdType count)

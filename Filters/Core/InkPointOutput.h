@@ -14,8 +14,16 @@ class vtkCellArray;
 class vtkDataArray;
 class vtkPoints;
 
-/// One VTK_POLY_VERTEX cell over points 0 ... count - 1.
+/// One VTK_POLY_VERTEX cell for each element: cell e holds the points begins[e] to begins[e + 1], in order.
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins);
+
+/// One VTK_POLY_VERTEX cell over points 0 ... count - 1; none without points.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count);
+/// The same whose points' ids are in an array that is kept for them.
+/// @param ids of InkFindIdType(count); gets as many values as there are points
+VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkCellArray> InkMakePolyVertex(vtkIdType count, vtkDataArray* ids);
+/// The smallest type that cells have for the ids of so many points.
+VTKINKFILTERSCORE_EXPORT int InkFindIdType(vtkIdType count);
 
 /// The array `Priority` of points in progressive order: i / count, always below 1.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkDataArray> InkMakePriority(vtkIdType count);

@@ -4,10 +4,12 @@
 #include "Core/FiniteBox.h"
 #include "Core/ParallelChunks.h"
 #include "InkAllocate.h"
+#include "InkGhostPoint.h"
 #include "InkNeighborLists.h"
 #include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkSampleCell.h"
+#include "InkStippleFields.h"
 #include "InkStippleOutput.h"
 #include "InkVTKCompat.h"
 #include "IsoSurface/IsoSurfaceSamples.h"
@@ -16,7 +18,6 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
@@ -24,7 +25,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -115,7 +115,6 @@ struct Discs
   {
     vtkDataArray* normals = InkPointNormals(points);
     vtkDataArray* radii = points->GetPointData()->GetArray("Radius");
-    constexpr unsigned char marks = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
     vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
     const DiscAreas areas(points);
     this->Middle = MiddleOf(points);
@@ -132,8 +131,7 @@ struct Discs
         radii->GetTuple(id, &radius);
         this->Centers[i] = p - this->Middle;
         this->Normals[i] = normal;
-        const bool own = !ghosts || (ghosts->GetValue(id) & marks) == 0;
-        this->Radii[i] = own ? static_cast<float>(radius) : 0.0f;
+        this->Radii[i] = InkIsGhostPoint(ghosts, id) ? 0.0f : static_cast<float>(radius);
         this->Areas[i] = static_cast<float>(areas.Find(normal, radius));
       });
     this->LeaveOutEdges();
@@ -265,10 +263,7 @@ void InkMakeDiscStipples(vtkPolyData* points, const InkDiscStippleRequest& reque
   {
     InkAddColors(output, ColorsOf(lists, samples, request.Colors));
   }
-  const double kind = 1.0;
   const double perElement = static_cast<double>(samples.size()) / static_cast<double>(lists.Count());
   const double size = std::sqrt(area * perElement);
-  InkAddField(output, "ElementKind", { &kind, 1 });
-  InkAddField(output, "ElementSize", { &size, 1 });
-  InkAddField(output, "StipplesPerElement", { &perElement, 1 });
+  InkAddStippleFields(output, InkElementKind::Surface, size, perElement);
 }

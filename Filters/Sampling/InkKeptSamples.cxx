@@ -15,12 +15,9 @@
 #include "vtkPolyData.h"
 #include "vtkShortArray.h"
 #include "vtkSignedCharArray.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <numeric>
 
 namespace
@@ -43,36 +40,6 @@ T* PointerTo(vtkDataArray* array)
 {
   auto* typed = Array::SafeDownCast(array);
   return typed ? typed->GetPointer(0) : nullptr;
-}
-
-template <class IdArray>
-void NumberFrom0(vtkDataArray* array, vtkIdType count)
-{
-  auto* ids = IdArray::SafeDownCast(array);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + count, typename IdArray::ValueType(0));
-}
-
-template <class IdArray>
-vtkSmartPointer<vtkDataArray> MakeOffsets(vtkIdType count)
-{
-  auto offsets = vtkSmartPointer<IdArray>::New();
-  offsets->SetNumberOfValues(2);
-  offsets->SetValue(0, 0);
-  offsets->SetValue(1, static_cast<typename IdArray::ValueType>(count));
-  return offsets;
-}
-
-/// One VTK_POLY_VERTEX cell over points 0 ... count - 1, with the connectivity array `ids`.
-template <class IdArray>
-vtkSmartPointer<vtkCellArray> MakePolyVertex(vtkDataArray* ids, vtkIdType count)
-{
-  InkSetNumberOfTuples(ids, count);
-  InkTrimArray(ids);
-  NumberFrom0<IdArray>(ids, count);
-  ids->Modified();
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(IdArray::SafeDownCast(MakeOffsets<IdArray>(count)), IdArray::SafeDownCast(ids));
-  return cells;
 }
 
 } // namespace
@@ -169,9 +136,6 @@ void InkKeptSamples::Fill(const Contents& contents, vtkPolyData* output)
   }
   if (contents.Vertices && count > 0)
   {
-    const bool small = count <= std::numeric_limits<vtkTypeInt32>::max();
-    RenewArray(this->Vertices, small ? VTK_TYPE_INT32 : VTK_TYPE_INT64, 1);
-    output->SetVerts(small ? MakePolyVertex<vtkTypeInt32Array>(this->Vertices, count)
-                           : MakePolyVertex<vtkTypeInt64Array>(this->Vertices, count));
+    output->SetVerts(InkMakePolyVertex(count, RenewArray(this->Vertices, InkFindIdType(count), 1)));
   }
 }

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkMemoryBudget.h"
 
+#include "Core/FormatNumber.h"
+
+#include "vtksys/SystemInformation.hxx"
 #include "vtksys/SystemTools.hxx"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <stdexcept>
 
 namespace
 {
@@ -57,6 +62,34 @@ std::uint64_t InkMemoryBudget::LimitFor(std::uint64_t size, int part)
 std::uint64_t InkMemoryBudget::GetFree() const
 {
   return this->Limit - std::min(this->Limit, Program);
+}
+
+std::uint64_t InkGetMachineMemory()
+{
+  vtksys::SystemInformation system;
+  std::uint64_t memory = 1024 * static_cast<std::uint64_t>(system.GetHostMemoryTotal());
+  // Of control groups, version 2 and 1. Without a limit the former has "max", which is no number.
+  for (const char* limit : { "/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes" })
+  {
+    std::uint64_t allowed = 0;
+    if (std::ifstream(limit) >> allowed)
+    {
+      memory = std::min(memory, allowed);
+    }
+  }
+  return memory;
+}
+
+void InkCheckMemory(
+  double count, double bytes, const std::string& names, double most, const std::string& advice)
+{
+  const double fitting = static_cast<double>(InkGetMachineMemory()) / bytes;
+  if (count > fitting || count > most)
+  {
+    throw std::invalid_argument(ink::formatNumber(count) + " " + names + " would take " +
+      ink::formatNumber(count * bytes / 0x1p30) + " GiB of memory; expected no more than " +
+      ink::formatNumber(std::floor(std::min(fitting, most))) + " " + names + " on this machine" + advice);
+  }
 }
 
 std::string InkFormatMemory(std::uint64_t bytes)

@@ -5,6 +5,7 @@
 #include "vtkInkFiltersSamplingModule.h" // for the export macro
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -46,6 +47,17 @@ private:
   /// Without the program itself and its libraries.
   std::uint64_t GetFree() const;
 };
+
+/// The machine's memory in bytes, or what its container may take of it if that is less.
+VTKINKFILTERSSAMPLING_EXPORT std::uint64_t InkGetMachineMemory();
+
+/// @param bytes the memory that each of `count` takes while they are made
+/// @param names what they are: "samples"
+/// @param most of them, whatever the memory
+/// @param advice what to do with too many, after the message; may be empty
+/// @throws std::invalid_argument where they are too many
+VTKINKFILTERSSAMPLING_EXPORT void InkCheckMemory(double count, double bytes, const std::string& names,
+  double most = std::numeric_limits<double>::infinity(), const std::string& advice = {});
 
 /// "12 MiB", rounded up.
 VTKINKFILTERSSAMPLING_EXPORT std::string InkFormatMemory(std::uint64_t bytes);

@@ -3,6 +3,7 @@
 
 #include "InkAllocate.h"
 #include "InkExtractPoints.h"
+#include "InkGhostPoint.h"
 #include "InkPointNormals.h"
 #include "InkPointOutput.h"
 #include "InkVTKCompat.h"
@@ -20,7 +21,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <glm/common.hpp>
 
@@ -68,7 +68,6 @@ std::vector<glm::vec3> GetLocalPositions(vtkPointSet* points, double& unit, glm:
 /// The points without those that vtkGhostType marks as hidden or duplicate; null if it marks none.
 vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPointSet* points)
 {
-  constexpr unsigned char marks = vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
   vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
   if (!ghosts || ghosts->GetNumberOfTuples() != points->GetNumberOfPoints())
   {
@@ -77,7 +76,7 @@ vtkSmartPointer<vtkPolyData> WithoutGhosts(vtkPointSet* points)
   std::vector<std::uint32_t> own;
   for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
   {
-    if ((ghosts->GetValue(i) & marks) == 0)
+    if (!InkIsGhostPoint(ghosts, i))
     {
       own.push_back(static_cast<std::uint32_t>(i));
     }

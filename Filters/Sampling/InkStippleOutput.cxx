@@ -2,47 +2,17 @@
 #include "InkStippleOutput.h"
 
 #include "InkAllocate.h"
+#include "InkMemoryBudget.h"
 #include "InkVTKCompat.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
-
-#include <vtksys/SystemInformation.hxx>
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
-#include <sstream>
-#include <stdexcept>
 #include <string>
-
-namespace
-{
-
-template <class IdArray>
-vtkSmartPointer<vtkCellArray> MakePolyVertices(std::span<const vtkIdType> begins)
-{
-  using Id = typename IdArray::ValueType;
-  vtkNew<IdArray> offsets;
-  InkSetNumberOfTuples(offsets, static_cast<vtkIdType>(begins.size()));
-  std::transform(
-    begins.begin(), begins.end(), offsets->GetPointer(0), [](vtkIdType id) { return static_cast<Id>(id); });
-  vtkNew<IdArray> points;
-  InkSetNumberOfTuples(points, begins.back());
-  std::iota(points->GetPointer(0), points->GetPointer(0) + begins.back(), Id(0));
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->SetData(offsets, points);
-  return cells;
-}
-
-} // namespace
 
 ink::Progress InkPartOfProgress(const ink::Progress& progress, double begin, double end)
 {
@@ -51,13 +21,6 @@ ink::Progress InkPartOfProgress(const ink::Progress& progress, double begin, dou
     return {};
   }
   return [progress, begin, end](double share) { return progress(begin + share * (end - begin)); };
-}
-
-vtkSmartPointer<vtkCellArray> InkMakePolyVertices(std::span<const vtkIdType> begins)
-{
-  return begins.back() <= std::numeric_limits<vtkTypeInt32>::max()
-    ? MakePolyVertices<vtkTypeInt32Array>(begins)
-    : MakePolyVertices<vtkTypeInt64Array>(begins);
 }
 
 vtkSmartPointer<vtkDataArray> InkPickTuples(vtkDataArray* array, const std::vector<vtkIdType>& ids)
@@ -74,15 +37,6 @@ vtkSmartPointer<vtkDataArray> InkPickTuples(vtkDataArray* array, const std::vect
   return result;
 }
 
-void InkAddField(vtkPolyData* output, const char* name, std::span<const double> values)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(values.size()));
-  array->InsertNextTuple(values.data());
-  output->GetFieldData()->AddArray(array);
-}
-
 void InkAddColors(vtkPolyData* output, vtkDataArray* colors)
 {
   const char* name = colors->GetName();
@@ -95,14 +49,6 @@ void InkAddColors(vtkPolyData* output, vtkDataArray* colors)
 
 void InkCheckStippleMemory(double count, double bytes)
 {
-  vtksys::SystemInformation system;
-  const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
-  if (count * bytes > available)
-  {
-    std::ostringstream text;
-    text << count << " stipples would take " << count * bytes / 0x1p30
-         << " GiB of memory; expected no more than " << available / bytes
-         << " stipples on this machine: raise the threshold or lower MaximumStipples";
-    throw std::invalid_argument(text.str());
-  }
+  InkCheckMemory(count, bytes, "stipples", std::numeric_limits<double>::infinity(),
+    ": raise the threshold or lower MaximumStipples");
 }

@@ -5,6 +5,7 @@
 #include "Core/ParallelChunks.h"
 #include "Curves/Contours/EdgeOffsets.h"
 #include "InkAllocate.h"
+#include "InkMemoryBudget.h"
 #include "InkPlaceSamples.h"
 #include "InkSampleFaces.h"
 #include "PointSampling/CoveringRadius.h"
@@ -16,7 +17,6 @@
 #include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
-#include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
 #include <cmath>
@@ -125,17 +125,8 @@ void InkSurfaceSamples::CheckMemory(double count, InkNoise noise) const
   const double bytes = noise == InkNoise::White ? BytesWhite
     : noise == InkNoise::Blue                   ? BytesBlue
                                                 : BytesProgressive;
-  vtksys::SystemInformation system;
-  const double available = 1024.0 * static_cast<double>(system.GetHostMemoryTotal());
-  const double needed = count * bytes;
-  constexpr std::uint32_t limit = std::numeric_limits<std::uint32_t>::max() / 8;
-  constexpr double most = limit;
-  if (needed > available || count > most)
-  {
-    throw std::invalid_argument(ink::formatNumber(count) + " samples would take " +
-      ink::formatNumber(needed / 0x1p30) + " GiB of memory; expected no more than " +
-      ink::formatNumber(std::floor(std::min(available / bytes, most))) + " samples on this machine");
-  }
+  constexpr std::uint32_t most = std::numeric_limits<std::uint32_t>::max() / 8;
+  InkCheckMemory(count, bytes, "samples", most);
 }
 
 vtkSmartPointer<vtkPoints> InkSurfaceSamples::MakePoints(int type) const

@@ -6,6 +6,7 @@
 #include "InkNeighborLists.h"
 #include "InkPointNormals.h"
 #include "InkPointOutput.h"
+#include "InkStippleFields.h"
 #include "InkStippleOutput.h"
 #include "InkSurfaceSamples.h"
 
@@ -269,11 +270,8 @@ void InkMakeSurfaceStipples(vtkPolyData* mesh, const InkSurfaceStippleRequest& r
   {
     InkAddColors(output, ColorsOf(triangles, polygons, lists, request.Colors, request.ColorsOfCells));
   }
-  const double kind = 1.0;
   const auto elements = static_cast<double>(lists.Elements);
   const double perElement = static_cast<double>(count) / elements;
   const double size = std::sqrt(polygons.Area / elements);
-  InkAddField(output, "ElementKind", { &kind, 1 });
-  InkAddField(output, "ElementSize", { &size, 1 });
-  InkAddField(output, "StipplesPerElement", { &perElement, 1 });
+  InkAddStippleFields(output, InkElementKind::Surface, size, perElement);
 }

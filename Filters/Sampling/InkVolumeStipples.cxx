@@ -7,6 +7,8 @@
 #include "Fields/Resampling/AxisResampling.h"
 #include "InkAllocate.h"
 #include "InkImageGrid.h"
+#include "InkPointOutput.h"
+#include "InkStippleFields.h"
 #include "InkStippleOutput.h"
 #include "InkWithGridField.h"
 #include "Stippling/SmoothedVoxels.h"
@@ -281,12 +283,9 @@ void InkMakeVolumeStipples(vtkImageData* image, const InkVolumeStippleRequest& r
   }
   const double range[2] = { elements.Lowest, elements.Highest };
   const double magnitudes[2] = { 0.0, elements.SteepestGradient };
-  const double kind = 0.0;
   const double perElement = request.Stipples.perVoxel;
   const double size = std::cbrt(std::abs(glm::determinant(geometry.stepToWorld())));
-  InkAddField(output, "ElementKind", { &kind, 1 });
-  InkAddField(output, "ElementSize", { &size, 1 });
-  InkAddField(output, "StipplesPerElement", { &perElement, 1 });
+  InkAddStippleFields(output, InkElementKind::Volume, size, perElement);
   InkAddField(output, "ScalarRange", range);
   InkAddField(output, "GradientMagnitudeRange", magnitudes);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkInkGatherPoints.h"
 
+#include "InkGhostPoint.h"
+
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -9,14 +11,12 @@
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <sstream>
 #include <utility>
@@ -61,16 +61,15 @@ vtkSmartPointer<vtkIdList> OwnedPoints(vtkPointSet* leaf)
   {
     return nullptr;
   }
-  constexpr unsigned char notOwned = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
   auto owned = vtkSmartPointer<vtkIdList>::New();
-  for (vtkIdType i = 0; i < ghosts->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; i < leaf->GetNumberOfPoints(); ++i)
   {
-    if (!(ghosts->GetValue(i) & notOwned))
+    if (!InkIsGhostPoint(ghosts, i))
     {
       owned->InsertNextId(i);
     }
   }
-  return owned->GetNumberOfIds() < ghosts->GetNumberOfTuples() ? owned : nullptr;
+  return owned->GetNumberOfIds() < leaf->GetNumberOfPoints() ? owned : nullptr;
 }
 
 // The array under the given name, of the listed points only unless the list is null.

@@ -5,6 +5,7 @@
 #include "InkHasPolygons.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
+#include "InkPointOutput.h"
 #include "InkSilhouettes.h"
 #include "InkSourcePoints.h"
 #include "vtkInkAddNormals.h"
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -34,23 +34,6 @@ vtkStandardNewMacro(vtkInkSplattingLinesRepresentation);
 
 namespace
 {
-
-/// One cell of all points: exporters write cells, which the mapper ignores.
-vtkSmartPointer<vtkCellArray> MakeVertex(vtkIdType count)
-{
-  auto vertices = vtkSmartPointer<vtkCellArray>::New();
-  if (count > 0 && count <= std::numeric_limits<int>::max())
-  {
-    vertices->Use32BitStorage();
-    vertices->AllocateExact(1, count);
-    vertices->InsertNextCell(static_cast<int>(count));
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      vertices->InsertCellPoint(i);
-    }
-  }
-  return vertices;
-}
 
 /// The input itself, or the outer surfaces where there are grids, whose points have no normals.
 /// @param meshes of the leaves
@@ -172,7 +155,8 @@ void vtkInkSplattingLinesRepresentation::Show(const std::vector<vtkPolyData*>& d
   if (points && this->DrawnTime != points->GetMTime())
   {
     this->Drawn->ShallowCopy(points);
-    this->Drawn->SetVerts(MakeVertex(points->GetNumberOfPoints()));
+    // Exporters write cells, which the mapper ignores.
+    this->Drawn->SetVerts(InkMakePolyVertex(points->GetNumberOfPoints()));
     this->DrawnTime = points->GetMTime();
   }
   this->Superclass::Show(

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkOccluder.h"
 
+#include "InkGhostPoint.h"
 #include "InkHasPolygons.h"
 #include "InkPointNormals.h"
 #include "InkPointSize.h"
 #include "InkScopedState.h"
 #include "InkShader.h"
 #include "InkShiftScale.h"
+#include "InkVertexLimit.h"
 
 #include "InkOccluderDiscFS.h"
 #include "InkOccluderDiscVS.h"
@@ -26,7 +28,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTimeStamp.h"
 #include "vtkTriangleFilter.h"
-#include "vtkUnsignedCharArray.h"
 
 #include "Core/ParallelChunks.h"
 
@@ -115,40 +116,38 @@ InkOccluder::~InkOccluder()
   this->Buffer->ReleaseGraphicsResources();
 }
 
-void InkOccluder::Update(vtkPolyData* surface, const InkShiftScale& frame)
+std::string InkOccluder::Update(vtkPolyData* surface, const InkShiftScale& frame)
 {
   const std::array<double, 4> transform{ frame.Center[0], frame.Center[1], frame.Center[2], frame.Unit };
   if (this->UploadTime > 0 && this->SurfaceTime == surface->GetMTime() && this->Frame == transform)
   {
-    return;
+    return {};
   }
   this->SurfaceTime = surface->GetMTime();
   this->Frame = transform;
   this->LargestRadius = 0.0f;
   this->NumberOfVertices = 0;
-  if (InkHasPolygons(surface))
-  {
-    this->UploadTriangles(surface, frame);
-  }
-  else
-  {
-    this->UploadDiscs(surface, frame);
-  }
+  std::string problem =
+    InkHasPolygons(surface) ? this->UploadTriangles(surface, frame) : this->UploadDiscs(surface, frame);
   vtkTimeStamp now;
   now.Modified();
   this->UploadTime = now.GetMTime();
+  return problem;
 }
 
-void InkOccluder::Upload(const std::vector<float>& numbers, int numbersPerVertex)
+std::string InkOccluder::Upload(const std::vector<float>& numbers, std::size_t numbersPerVertex)
 {
-  this->NumberOfVertices = static_cast<int>(numbers.size()) / numbersPerVertex;
-  if (this->NumberOfVertices > 0)
+  const std::size_t count = numbers.size() / numbersPerVertex;
+  std::string problem = InkFindVertexProblem(count);
+  if (count > 0 && problem.empty())
   {
     this->Buffer->Upload(numbers, vtkOpenGLBufferObject::ArrayBuffer);
+    this->NumberOfVertices = static_cast<int>(count);
   }
+  return problem;
 }
 
-void InkOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
+std::string InkOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
 {
   vtkPointData* data = points->GetPointData();
   vtkDataArray* normals = InkPointNormals(points);
@@ -156,7 +155,7 @@ void InkOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
   const vtkIdType count = points->GetNumberOfPoints();
   if (!normals || !radii || radii->GetNumberOfComponents() != 1)
   {
-    return;
+    return {};
   }
   vtkUnsignedCharArray* ghosts = points->GetPointGhostArray();
   const auto add = [&](std::size_t index, std::vector<float>& vertices)
@@ -185,10 +184,10 @@ void InkOccluder::UploadDiscs(vtkPolyData* points, const InkShiftScale& frame)
   this->LargestRadius = ink::parallelReduce(
     vertices.size() / 6, 0.0f, [&](std::size_t i) { return vtkMath::Norm(vertices.data() + 6 * i + 3); },
     [](float a, float b) { return std::max(a, b); });
-  this->Upload(vertices, 6);
+  return this->Upload(vertices, 6);
 }
 
-void InkOccluder::UploadTriangles(vtkPolyData* surface, const InkShiftScale& frame)
+std::string InkOccluder::UploadTriangles(vtkPolyData* surface, const InkShiftScale& frame)
 {
   vtkNew<vtkTriangleFilter> triangles;
   triangles->SetInputData(surface);
@@ -216,7 +215,7 @@ void InkOccluder::UploadTriangles(vtkPolyData* surface, const InkShiftScale& fra
       vertices.insert(vertices.end(), corners, corners + 9);
     }
   }
-  this->Upload(vertices, 3);
+  return this->Upload(vertices, 3);
 }
 
 void InkOccluder::Draw(

@@ -11,8 +11,10 @@
 #include "vtkNew.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 struct InkShiftScale;
@@ -52,7 +54,8 @@ public:
 
   /// Takes a surface's polygons and strips, or where it has none the discs around its points, of their
   /// `Normals` and `Radius`. Does nothing when they are those that it has.
-  void Update(vtkPolyData* surface, const InkShiftScale& frame);
+  /// @return what is wrong where it takes none as they are too many; empty otherwise
+  std::string Update(vtkPolyData* surface, const InkShiftScale& frame);
   bool IsEmpty() const { return this->NumberOfVertices == 0; }
   /// The largest of the discs, in the frame's unit; 0 for polygons.
   float GetLargestRadius() const { return this->LargestRadius; }
@@ -68,9 +71,9 @@ public:
     const InkViewUniforms& shown, float reach, std::unique_ptr<InkOccluderDepth>& depth, int finer = 1);
 
 private:
-  void UploadTriangles(vtkPolyData* surface, const InkShiftScale& frame);
-  void UploadDiscs(vtkPolyData* points, const InkShiftScale& frame);
-  void Upload(const std::vector<float>& numbers, int numbersPerVertex);
+  std::string UploadTriangles(vtkPolyData* surface, const InkShiftScale& frame);
+  std::string UploadDiscs(vtkPolyData* points, const InkShiftScale& frame);
+  std::string Upload(const std::vector<float>& numbers, std::size_t numbersPerVertex);
   void DrawTriangles(const InkViewUniforms& view);
   void DrawDiscs(const InkViewUniforms& view, InkOccluderDepth& depth);
   /// @param facing the depth of the discs that face the viewer, to draw the others; null to draw the former

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkShiftScale.h"
 
-#include "vtkDataSetAttributes.h"
+#include "InkGhostPoint.h"
+
 #include "vtkMath.h"
 #include "vtkPoints.h"
-#include "vtkUnsignedCharArray.h"
 
 #include "Core/FiniteBox.h"
 
@@ -14,12 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-
-bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point)
-{
-  constexpr unsigned char marks = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
-  return ghosts && point < ghosts->GetNumberOfTuples() && (ghosts->GetValue(point) & marks) != 0;
-}
 
 void InkShiftScale::FindFiniteBounds(vtkPoints* points, double bounds[6], vtkUnsignedCharArray* ghosts)
 {

@@ -11,10 +11,6 @@
 class vtkPoints;
 class vtkUnsignedCharArray;
 
-/// Whether a point is hidden, or a duplicate of one that another piece has.
-/// @param ghosts `vtkGhostType` or null
-VTKINKRENDERINGCORE_EXPORT bool InkIsGhostPoint(vtkUnsignedCharArray* ghosts, vtkIdType point);
-
 /// The coordinates in which points are sent to the GPU: relative to the data's center and size, so that in
 /// single precision neither large nor tiny coordinates lose digits.
 struct VTKINKRENDERINGCORE_EXPORT InkShiftScale

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkSplatPoints.h"
 
+#include "InkGhostPoint.h"
+
 #include "vtkMath.h"
 #include "vtkPoints.h"
 

@@ -2,6 +2,7 @@
 #include "vtkInkSplattingLinesMapperInternals.h"
 
 #include "InkFrame.h"
+#include "InkGhostPoint.h"
 #include "InkLinePostProcess.h"
 #include "InkScalarColors.h"
 #include "InkShiftScale.h"
@@ -20,7 +21,6 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "InkStippleInput.h"
 
 #include "InkArrayList.h"
+#include "InkStippleFields.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -32,8 +33,9 @@ bool IsCellArray(vtkDataArray* array, int components, vtkIdType cells)
 /// By the field data; where they are neither kind's, volumes have gradients.
 bool IsSurface(vtkPolyData* data, bool hasGradients)
 {
-  const double kind = FindNumber(data, "ElementKind", -1.0);
-  return kind == 1.0 || (kind != 0.0 && !hasGradients);
+  const double kind = FindNumber(data, InkElementKindName, -1.0);
+  const auto is = [kind](InkElementKind one) { return kind == static_cast<double>(one); };
+  return is(InkElementKind::Surface) || (!is(InkElementKind::Volume) && !hasGradients);
 }
 
 /// Whether cell e holds the points offset[e], offset[e] + 1 ... and all cells together all points.
@@ -70,8 +72,8 @@ InkStippleInput::InkStippleInput(vtkPolyData* data)
   , Values(data->GetCellData()->GetArray("Value"))
   , GlobalIds(data->GetCellData()->GetGlobalIds())
   , Surface(IsSurface(data, this->GradientMagnitudes != nullptr))
-  , ElementSize(FindNumber(data, "ElementSize", 0.0))
-  , StipplesPerElement(FindNumber(data, "StipplesPerElement", 0.0))
+  , ElementSize(FindNumber(data, InkElementSizeName, 0.0))
+  , StipplesPerElement(FindNumber(data, InkStipplesPerElementName, 0.0))
 {
   if (!IsCellArray(this->GlobalIds, 1, data->GetNumberOfCells()))
   {
@@ -115,8 +117,8 @@ std::string InkStippleInput::FindProblem() const
   }
   if (problem.str().empty() && !(this->ElementSize > 0.0 && std::isfinite(this->ElementSize)))
   {
-    problem << "The field array \"ElementSize\" should hold the elements' size in world units, found "
-            << this->ElementSize
+    problem << "The field array \"" << InkElementSizeName
+            << "\" should hold the elements' size in world units, found " << this->ElementSize
             << ". Field arrays (components) in the input: " << InkListArrays(this->Data->GetFieldData())
             << '.';
   }

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -118,7 +119,11 @@ private:
     {
       return nullptr;
     }
-    marks.Occluder.Update(surface, mapper->Internals->Points.GetFrame());
+    const std::string problem = marks.Occluder.Update(surface, mapper->Internals->Points.GetFrame());
+    if (!problem.empty())
+    {
+      mapper->ReportOnce(problem);
+    }
     if (marks.Occluder.IsEmpty())
     {
       return nullptr;

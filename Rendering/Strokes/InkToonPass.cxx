@@ -9,6 +9,7 @@
 #include "InkShader.h"
 #include "InkSourcePoints.h"
 #include "InkStrokeStyle.h"
+#include "InkVertexLimit.h"
 #include "InkViewUniforms.h"
 
 #include "InkToonFS.h"
@@ -24,7 +25,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 InkToonPass::InkToonPass(vtkOpenGLRenderWindow* window)
@@ -38,11 +41,11 @@ InkToonPass::~InkToonPass()
   this->Corners->ReleaseGraphicsResources();
 }
 
-void InkToonPass::Update(vtkPolyData* surface)
+std::string InkToonPass::Update(vtkPolyData* surface)
 {
   if (this->UploadTime > 0 && this->SurfaceTime == surface->GetMTime())
   {
-    return;
+    return {};
   }
   this->SurfaceTime = surface->GetMTime();
   double bounds[6];
@@ -68,15 +71,30 @@ void InkToonPass::Update(vtkPolyData* surface)
       ids.push_back(static_cast<std::uint32_t>(InkSourcePoint(sources, triangle[0])));
     }
   }
-  this->NumberOfCorners = static_cast<int>(corners.size() / 6);
+  vtkTimeStamp now;
+  now.Modified();
+  this->UploadTime = now.GetMTime();
+  this->NumberOfCorners = 0;
+  std::string problem = InkFindVertexProblem(3 * ids.size());
+  if (!problem.empty())
+  {
+    return problem;
+  }
+  this->NumberOfCorners = static_cast<int>(3 * ids.size());
   if (this->NumberOfCorners > 0)
   {
     this->Corners->Upload(corners, vtkOpenGLBufferObject::ArrayBuffer);
   }
+  // Without ids there is a picture still.
+  const int most = InkTextureBuffer::FindMostTexels(this->Window);
+  if (ids.size() > static_cast<std::size_t>(most))
+  {
+    problem = "This OpenGL can select among " + std::to_string(most) + " triangles; the surface has " +
+      std::to_string(ids.size()) + ".";
+    ids.clear();
+  }
   this->Ids.Fill(ids, 1, VTK_UNSIGNED_INT, GL_R32UI);
-  vtkTimeStamp now;
-  now.Modified();
-  this->UploadTime = now.GetMTime();
+  return problem;
 }
 
 void InkToonPass::SetUniforms(vtkShaderProgram* program, const Scene& scene, const InkFrame& frame)
@@ -92,7 +110,7 @@ void InkToonPass::SetUniforms(vtkShaderProgram* program, const Scene& scene, con
 
 void InkToonPass::Draw(const Scene& scene, const InkFrame& frame, const InkRenderPasses& renderPasses)
 {
-  if (this->NumberOfCorners == 0)
+  if (this->NumberOfCorners == 0 || (frame.Ids && !this->Ids.IsFilled()))
   {
     return;
   }

@@ -29,7 +29,8 @@ public:
   ~InkToonPass();
 
   /// Takes a surface's polygons and strips with their normals. Does nothing when they are those that it has.
-  void Update(vtkPolyData* surface);
+  /// @return what is wrong where they are too many to draw, or to select; empty otherwise
+  std::string Update(vtkPolyData* surface);
   const InkShiftScale& GetFrame() const { return this->Frame; }   ///< of the surface
   vtkMTimeType GetUploadTime() const { return this->UploadTime; } ///< 0: never
 

@@ -159,7 +159,10 @@ bool vtkInkSilhouetteMapper::UpdateMarks(InkMarks& own)
 bool vtkInkSilhouetteMapper::UpdateToon(InkStrokeMarks& marks)
 {
   const vtkMTimeType before = marks.Toon.GetUploadTime();
-  marks.Toon.Update(this->GetInput());
+  if (const std::string problem = marks.Toon.Update(this->GetInput()); !problem.empty())
+  {
+    this->ReportOnce(problem);
+  }
   if (marks.Toon.GetUploadTime() != before)
   {
     this->WarnOfNormals();

@@ -35,6 +35,7 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkInkStrokeMapper);
@@ -290,7 +291,10 @@ InkOccluderDepth* vtkInkStrokeMapper::UpdateDepth(const InkStrokeMarks& marks, c
       shared.Frame = InkShiftScale::FromBounds(bounds);
       shared.Time = surface->GetMTime();
     }
-    shared.Occluder.Update(surface, shared.Frame);
+    if (const std::string problem = shared.Occluder.Update(surface, shared.Frame); !problem.empty())
+    {
+      this->ReportOnce(problem);
+    }
   }
   if (!any || shared.Occluder.IsEmpty())
   {

@@ -5,6 +5,7 @@
 #include "InkCellCenters.h"
 #include "InkHasSurface.h"
 #include "InkProbeColors.h"
+#include "InkStippleFields.h"
 
 #include "Core/DidYouMean.h"
 
@@ -27,7 +28,7 @@ namespace
 
 bool AreStipples(vtkPolyData* data)
 {
-  return data->GetFieldData()->GetArray("StipplesPerElement") && data->GetNumberOfCells() > 0 &&
+  return data->GetFieldData()->GetArray(InkStipplesPerElementName) && data->GetNumberOfCells() > 0 &&
     data->GetNumberOfVerts() == data->GetNumberOfCells();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStippleNumbers.h"
 
+#include "InkStippleFields.h"
+
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -11,7 +13,7 @@
 namespace
 {
 
-constexpr const char* FieldNames[] = { "ElementKind", "ElementSize", "StipplesPerElement" };
+constexpr const char* FieldNames[] = { InkElementKindName, InkElementSizeName, InkStipplesPerElementName };
 
 vtkSmartPointer<vtkDoubleArray> MakeNumber(const char* name, double value)
 {

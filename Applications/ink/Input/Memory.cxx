@@ -4,24 +4,14 @@
 #include "Errors.h"
 
 #include <algorithm>
-#include <fstream>
-
-#include <unistd.h>
+#include <optional>
 
 namespace ink::cli
 {
 
 InkMemoryBudget usualMemory()
 {
-  auto all =
-    static_cast<std::uint64_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
-  // Of a container; "max" if there is no limit, which is no number.
-  std::uint64_t allowed = 0;
-  if (std::ifstream("/sys/fs/cgroup/memory.max") >> allowed)
-  {
-    all = std::min(all, allowed);
-  }
-  return InkMemoryBudget(std::max(all / 2, InkMemoryBudget::Least));
+  return InkMemoryBudget(std::max(InkGetMachineMemory() / 2, InkMemoryBudget::Least));
 }
 
 InkMemoryBudget parseMemory(const std::string& size)

@@ -27,6 +27,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 #include <unistd.h>
@@ -399,6 +400,28 @@ TEST(MemoryBudget, SizesAreNumbersWithUnits)
   }
   EXPECT_EQ(InkMemoryBudget::Parse("900000T")->GetMebibytes(), 16777216);
   EXPECT_EQ(InkFormatMemory(mebibyte + 1), "2 MiB");
+}
+
+TEST(MemoryBudget, WhatDoesNotFitIsRefused)
+{
+  const auto problem = [](double count, double bytes, double most)
+  {
+    try
+    {
+      InkCheckMemory(count, bytes, "dots", most, ": take fewer");
+    }
+    catch (const std::invalid_argument& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto memory = static_cast<double>(InkGetMachineMemory());
+  EXPECT_GE(memory, 0x1p24);
+  EXPECT_EQ(problem(0.9 * memory / 8.0, 8.0, memory), "");
+  EXPECT_NE(problem(1.1 * memory / 8.0, 8.0, memory).find("GiB of memory"), std::string::npos);
+  EXPECT_EQ(problem(0x1p17, 8192.0, 1000.0),
+    "131072 dots would take 1 GiB of memory; expected no more than 1000 dots on this machine: take fewer");
 }
 
 TEST(IsoSurfaceSamplerSlabs, LabelMaps)

@@ -4,6 +4,7 @@
 #include "InkTestImage.h"
 #include "InkTestMessages.h"
 #include "InkTestScene.h"
+#include "InkVertexLimit.h"
 
 #include "vtkCoordinate.h"
 #include "vtkHardwareSelector.h"
@@ -19,8 +20,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <set>
+#include <string>
 #include <vector>
 
 namespace
@@ -289,4 +292,18 @@ TEST(InkMapper, Input)
   row->Modified();
   scene.Window->Render();
   messages->Expect("another one for another input", { "diameter" });
+}
+
+TEST(InkMapper, TooManyVertices)
+{
+  constexpr std::size_t most = std::numeric_limits<int>::max();
+  for (const std::size_t count : { std::size_t{ 0 }, most / 3, most })
+  {
+    EXPECT_EQ(InkFindVertexProblem(count), "") << count;
+  }
+  for (const std::size_t count : { most + 1, 2 * most + 2, 8 * most })
+  {
+    const std::string problem = InkFindVertexProblem(count);
+    EXPECT_NE(problem.find(std::to_string(count)), std::string::npos) << count << ": " << problem;
+  }
 }
