@@ -46,9 +46,12 @@ std::array<double, 6> coveredSides(
         count(sides[2], x, 0, z);
         count(sides[3], x, ny - 1, z);
       }
-      for (int n = 0; (z == 0 || z == nz - 1) && n < nx * ny; ++n)
+      for (int y = 0; (z == 0 || z == nz - 1) && y < ny; ++y)
       {
-        count(sides[z == 0 ? 4 : 5], n % nx, n / nx, z);
+        for (int x = 0; x < nx; ++x)
+        {
+          count(sides[z == 0 ? 4 : 5], x, y, z);
+        }
       }
     }
   }

@@ -194,15 +194,15 @@ void readSlice(
   const GridField<T>& field, int axis, int slice, const glm::ivec2& size, std::span<double> values)
 {
   // Across x, each sample is a row.
-  const int length = axis == 0 ? 1 : size.x;
-  std::vector<std::uint8_t> marks(static_cast<std::size_t>(length));
-  const int rows = axis == 0 ? size.x * size.y : size.y;
-  for (int n = 0; n < rows; ++n)
+  const std::size_t length = axis == 0 ? 1 : static_cast<std::size_t>(size.x);
+  std::vector<std::uint8_t> marks(length);
+  const std::size_t rows = axis == 0 ? values.size() : static_cast<std::size_t>(size.y);
+  for (std::size_t n = 0; n < rows; ++n)
   {
-    const int j = axis == 0 ? n % size.x : axis == 1 ? slice : n;
-    const int k = axis == 0 ? n / size.x : axis == 1 ? n : slice;
-    const std::span<double> row =
-      values.subspan(static_cast<std::size_t>(n) * length, static_cast<std::size_t>(length));
+    const auto nth = static_cast<std::int64_t>(n);
+    const int j = static_cast<int>(axis == 0 ? nth % size.x : axis == 1 ? slice : nth);
+    const int k = static_cast<int>(axis == 0 ? nth / size.x : axis == 1 ? nth : slice);
+    const std::span<double> row = values.subspan(n * length, length);
     if (!readRow<T, double>(
           field, j, k, axis == 0 ? slice : 0, std::numeric_limits<double>::infinity(), row, marks))
     {
