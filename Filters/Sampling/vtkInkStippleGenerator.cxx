@@ -51,10 +51,6 @@ vtkStandardNewMacro(vtkInkStippleGenerator);
 namespace
 {
 
-/// The ghost levels that a piece needs: the neighborhood of gradients that a voxel's stipples depend on, plus
-/// the support of these gradients.
-const int GhostLevels = ink::stipple::stippleReach.x + 1;
-
 /// N_max of a whole image's voxels in a picture in which its longest side has that many pixels.
 int ProjectedListLength(const ink::GridGeometry& whole, double pixels)
 {
@@ -136,10 +132,15 @@ int vtkInkStippleGenerator::RequestUpdateExtent(
   {
     const int levels = outInfo->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
-      levels + GhostLevels + ink::stipple::smoothingReach(this->Smoothing) +
-        InkPointInput::GetGhostLevels(this, info));
+      levels + GetGhostLevels(this->Smoothing) + InkPointInput::GetGhostLevels(this, info));
   }
   return 1;
+}
+
+int vtkInkStippleGenerator::GetGhostLevels(double smoothing)
+{
+  // The gradients around a voxel that its stipples depend on, their support, and what is smoothed into that.
+  return ink::stipple::stippleReach.x + 1 + ink::stipple::smoothingReach(smoothing);
 }
 
 int vtkInkStippleGenerator::RequestData(

@@ -343,6 +343,12 @@ public:
    */
   static vtkIdType CountForPicture(vtkPolyData* mesh, double pixels, double pixelsPerStipple);
 
+  /**
+   * The ghost levels of points that a piece of an image needs for the stipples of the whole, by `smoothing`,
+   * see SetSmoothing.
+   */
+  static int GetGhostLevels(double smoothing);
+
 protected:
   vtkInkStippleGenerator();
   ~vtkInkStippleGenerator() override;

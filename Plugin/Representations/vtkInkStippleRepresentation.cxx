@@ -4,9 +4,8 @@
 #include "InkCellCenters.h"
 #include "InkIsoSurface.h"
 #include "vtkInkEarlyFXAA.h"
+#include "vtkInkStippleGenerator.h"
 #include "vtkInkStippleStyle.h"
-
-#include "Stippling/VolumeStipples.h"
 
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -68,8 +67,10 @@ int vtkInkStippleRepresentation::RequestUpdateExtent(
     // As the generator asks for them; of grids as many as tell the outer surface.
     const int ofGrids = vtkPolyData::GetData(info) ? 0 : 1;
     vtkImageData* image = vtkImageData::GetData(info);
-    const int ofCells = image && InkTakesCells(image, this->Style->GetIsoSurface()->GetScalars()) ? 1 : 0;
-    const int levels = image ? ink::stipple::stippleReach.x + 1 + ofCells : ofGrids;
+    const InkIsoSurface& values = *this->Style->GetIsoSurface();
+    const int ofCells = image && InkTakesCells(image, values.GetScalars()) ? 1 : 0;
+    const int levels =
+      image ? vtkInkStippleGenerator::GetGhostLevels(values.GetSmoothing()) + ofCells : ofGrids;
     info->Set(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(),
       std::max(levels, info->Get(SDDP::UPDATE_NUMBER_OF_GHOST_LEVELS())));
   }

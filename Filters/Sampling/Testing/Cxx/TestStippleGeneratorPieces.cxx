@@ -201,6 +201,20 @@ TEST_F(StippleGeneratorPieces, OfSmoothedValuesAreTheWhole)
   {
     EXPECT_EQ(StipplePieces(local, pieces), expected) << pieces << " pieces";
   }
+  constexpr int parts = 3;
+  const int levels = vtkInkStippleGenerator::GetGhostLevels(1.3);
+  EXPECT_GT(levels, vtkInkStippleGenerator::GetGhostLevels(0.0));
+  std::vector<Stipple> together;
+  for (int part = 0; part < parts; ++part)
+  {
+    const auto producer = MakePart(Image, part, parts, levels);
+    local->SetInputConnection(producer->GetOutputPort());
+    local->UpdatePiece(part, parts, 0);
+    const auto stipples = StipplesOf(local->GetOutput());
+    together.insert(together.end(), stipples.begin(), stipples.end());
+  }
+  std::sort(together.begin(), together.end());
+  EXPECT_EQ(together, expected) << "the whole from parts with " << levels << " ghost levels";
 }
 
 /// Of a reader that knows no pieces: the first process has all.
