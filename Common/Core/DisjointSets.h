@@ -10,7 +10,8 @@
 namespace ink
 {
 
-/// Disjoint sets of the numbers below a count, each known by its least, for one thread.
+/// Disjoint sets of the numbers below a count, each known by its least: for one thread, or for several whose
+/// sets stay apart.
 class DisjointSets
 {
 public:

@@ -2,9 +2,9 @@
 #include "Mesh/MeshNavigation.h"
 
 #include "Core/ParallelChunks.h"
-#include "Core/ScaledPoints.h"
 #include "Mesh/CoincidentPoints.h"
 #include "Mesh/GeodesicUnfolding.h"
+#include "Mesh/ScaledPoints.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

@@ -4,7 +4,7 @@
 #include "Core/Hash.h"
 #include "Core/ParallelChunks.h"
 #include "Core/ParallelFor.h"
-#include "Core/ScaledPoints.h"
+#include "Mesh/ScaledPoints.h"
 #include "PointSampling/PoissonDiskBins.h"
 #include "PointSampling/PoissonDiskBlocks.h"
 #include "PointSampling/PoissonDiskGaps.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSampling/ProgressiveBlueNoise.h"
 
-#include "Core/ScaledPoints.h"
+#include "Mesh/ScaledPoints.h"
 #include "Mesh/SurfacePieces.h"
 #include "PointSampling/ProgressiveSampler.h"
 

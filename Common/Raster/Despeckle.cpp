@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Raster/Despeckle.h"
 
+#include "Core/DisjointSets.h"
 #include "Core/ParallelFor.h"
 #include "Raster/RowScan.h"
 
@@ -64,36 +65,6 @@ void findRuns(const unsigned char* row, int y, int width, unsigned char threshol
   }
 }
 
-/// Connected components of runs by union-find; the first run of each component represents it.
-class Spots
-{
-public:
-  explicit Spots(std::vector<std::uint32_t>& parents)
-    : Parents(parents)
-  {
-  }
-
-  std::uint32_t find(std::uint32_t run)
-  {
-    while (this->Parents[run] != run)
-    {
-      this->Parents[run] = this->Parents[this->Parents[run]];
-      run = this->Parents[run];
-    }
-    return run;
-  }
-
-  void join(std::uint32_t a, std::uint32_t b)
-  {
-    a = this->find(a);
-    b = this->find(b);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<std::uint32_t>& Parents;
-};
-
 struct RunsOfRows
 {
   std::vector<Run> runs;
@@ -130,7 +101,8 @@ RunsOfRows findRuns(const CoverageImage& image, unsigned char threshold, std::si
 }
 
 /// Merges the runs of a row with the adjacent ones in the same row and the row below.
-void joinRow(const RunsOfRows& all, int y, bool withBelow, Spots& spots, std::vector<Contact>& contacts)
+void joinRow(
+  const RunsOfRows& all, int y, bool withBelow, DisjointSets& spots, std::vector<Contact>& contacts)
 {
   const auto touch = [&](std::uint32_t a, std::uint32_t b)
   {
@@ -181,13 +153,7 @@ void despeckle(const CoverageImage& image, float shortest, unsigned char thresho
   }
   const std::size_t bands = static_cast<std::size_t>((image.height - 1) / rowsPerBand) + 1;
   const RunsOfRows all = findRuns(image, std::max<unsigned char>(threshold, 1), bands);
-  std::vector<std::uint32_t> parents(all.runs.size());
-  for (std::uint32_t i = 0; i < parents.size(); ++i)
-  {
-    parents[i] = i;
-  }
-
-  Spots spots(parents);
+  DisjointSets spots(all.runs.size());
   std::vector<std::vector<Contact>> contacts(bands);
   parallelFor(bands,
     [&](std::size_t band)
@@ -208,10 +174,11 @@ void despeckle(const CoverageImage& image, float shortest, unsigned char thresho
   }
 
   std::vector<Spot> spotOf(all.runs.size());
-  for (std::uint32_t i = 0; i < parents.size(); ++i)
+  std::vector<std::uint32_t> firstRuns(all.runs.size()); // of the run's spot
+  for (std::uint32_t i = 0; i < firstRuns.size(); ++i)
   {
-    parents[i] = parents[parents[i]]; // the first run, as those before i are done
-    spotOf[parents[i]].add(all.runs[i]);
+    firstRuns[i] = spots.least(i);
+    spotOf[firstRuns[i]].add(all.runs[i]);
   }
   for (Spot& spot : spotOf)
   {
@@ -224,8 +191,8 @@ void despeckle(const CoverageImage& image, float shortest, unsigned char thresho
   {
     for (const auto& [faint, strong] : ofBand)
     {
-      Spot& spot = spotOf[parents[faint]];
-      (spotOf[parents[strong]].stays ? spot.touchesKept : spot.touchesErased) = true;
+      Spot& spot = spotOf[firstRuns[faint]];
+      (spotOf[firstRuns[strong]].stays ? spot.touchesKept : spot.touchesErased) = true;
     }
   }
   for (Spot& spot : spotOf)
@@ -243,7 +210,7 @@ void despeckle(const CoverageImage& image, float shortest, unsigned char thresho
       for (std::uint32_t i = all.rowBegin[begin]; i < all.rowBegin[end]; ++i)
       {
         const Run& run = all.runs[i];
-        if (!spotOf[parents[i]].stays)
+        if (!spotOf[firstRuns[i]].stays)
         {
           std::memset(image.row(run.y) + run.begin, 0, static_cast<std::size_t>(run.end - run.begin));
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkStipplePasses.h"
 
-#include "InkBlendQuantum.h"
+#include "InkBlendStep.h"
 #include "InkDrawingProgress.h"
 #include "InkFrame.h"
 #include "InkLights.h"

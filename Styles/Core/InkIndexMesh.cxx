@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InkIndexMesh.h"
 
+#include "Core/DisjointSets.h"
 #include "InkImageGrid.h"
 
 #include "vtkCellData.h"
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 
 void InkIndexMesh::Append(const InkIndexMesh& other)
 {
@@ -57,30 +57,17 @@ void InkIndexMesh::RemoveUnusedPoints()
 
 void InkIndexMesh::KeepParts(const ink::ComponentSelection& selection)
 {
-  std::vector<std::uint32_t> parents(this->Points.size());
-  std::iota(parents.begin(), parents.end(), 0u);
-  const auto root = [&](std::uint32_t point)
+  ink::DisjointSets parts(this->Points.size());
+  for (const auto& [a, b, c] : this->Triangles)
   {
-    while (parents[point] != point)
-    {
-      point = parents[point] = parents[parents[point]];
-    }
-    return point;
-  };
-  for (const Triangle& triangle : this->Triangles)
-  {
-    for (int corner = 1; corner < 3; ++corner)
-    {
-      const std::uint32_t a = root(triangle[0]);
-      const std::uint32_t b = root(triangle[corner]);
-      parents[std::max(a, b)] = std::min(a, b);
-    }
+    parts.join(a, b);
+    parts.join(a, c);
   }
   std::vector<std::uint32_t> labels(this->Points.size());
   std::vector<std::size_t> counts;
   for (std::uint32_t point = 0; point < labels.size(); ++point)
   {
-    const std::uint32_t first = root(point);
+    const std::uint32_t first = parts.least(point);
     if (first == point)
     {
       labels[point] = static_cast<std::uint32_t>(counts.size());

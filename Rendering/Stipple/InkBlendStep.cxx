@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "InkBlendQuantum.h"
+#include "InkBlendStep.h"
 
 #include "InkOpenGLCompat.h"
 

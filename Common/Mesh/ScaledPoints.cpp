@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/ScaledPoints.h"
+#include "Mesh/ScaledPoints.h"
 
 #include "Core/ParallelChunks.h"
 
