@@ -24,8 +24,6 @@ int vtkInkParallelSurfaceSampler::RequestUpdateExtent(
 int vtkInkParallelSurfaceSampler::RequestData(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
-  vtkInformationVector** whole = this->Mesh->Gather(input, this->GetNumberOfInputPorts());
-  const int result = this->Superclass::RequestData(request, whole, output);
-  this->Mesh->Release();
-  return result;
+  return this->Mesh->Take(input, this->GetNumberOfInputPorts(),
+    [&](vtkInformationVector** whole) { return this->Superclass::RequestData(request, whole, output); });
 }

@@ -47,10 +47,14 @@ vtkInformationVector** vtkInkWholeMesh::Gather(vtkInformationVector** input, int
   return this->Pointers.data();
 }
 
-void vtkInkWholeMesh::Release()
+int vtkInkWholeMesh::Take(
+  vtkInformationVector** input, int ports, const std::function<int(vtkInformationVector**)>& use)
 {
+  const int result = use(this->Gather(input, ports));
+  // Lets go of the mesh.
   for (auto& gathered : this->Gathered)
   {
     gathered->SetNumberOfInformationObjects(0);
   }
+  return result;
 }

@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 
 #include <array>
+#include <functional>
 
 class vtkInformation;
 
@@ -20,14 +21,16 @@ public:
   /// To be called in RequestUpdateExtent. Of composite data a filter is run for each leaf that a process has,
   /// which others need not have: each stays where it is.
   void LookAt(vtkInformation* request, vtkInformationVector** input);
-  /// The input itself on a single process, of leaves, or where no process has a mesh with faces. To be called
-  /// in RequestData, by all processes at once.
+  /// To be called in RequestData, by all processes at once.
   /// @param ports of the filter, two at most
-  vtkInformationVector** Gather(vtkInformationVector** input, int ports);
-  /// Lets go of the mesh.
-  void Release();
+  /// @param use what the filter does with its input, which may be that of the whole mesh
+  /// @return what `use` returns
+  int Take(vtkInformationVector** input, int ports, const std::function<int(vtkInformationVector**)>& use);
 
 private:
+  /// The input itself on a single process, of leaves, or where no process has a mesh with faces.
+  vtkInformationVector** Gather(vtkInformationVector** input, int ports);
+
   bool IsComposite = false;
   std::array<vtkNew<vtkInformationVector>, 2> Gathered;
   std::array<vtkInformationVector*, 2> Pointers{};
