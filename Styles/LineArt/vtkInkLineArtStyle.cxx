@@ -21,6 +21,7 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlanes.h"
@@ -126,7 +127,11 @@ vtkInkLineArtStyle::vtkInkLineArtStyle()
   this->Actor->SetMapper(this->Mapper);
   this->Contours->GetSilhouetteMapper()->SetDepthWidth(0.3);
   InkAimLight(this->Light, this->LightDirection);
+  // Parameters are set on the mapper itself.
+  this->Strokes->AddObserver(vtkCommand::ModifiedEvent, this, &vtkInkLineArtStyle::UpdateFamilies);
+  this->AddObserver(vtkCommand::ModifiedEvent, this, &vtkInkLineArtStyle::UpdateFamilies);
   this->SetPreset(0);
+  this->UpdateFamilies();
 }
 
 vtkInkLineArtStyle::~vtkInkLineArtStyle() = default;
@@ -144,12 +149,16 @@ const InkParameterTable& vtkInkLineArtStyle::GetParameterTable()
 
 vtkMTimeType vtkInkLineArtStyle::GetRecipeMTime()
 {
+  return std::max({ this->Contours->GetMTime(), this->Lines->GetMTime(), this->Hatching->GetMTime() });
+}
+
+void vtkInkLineArtStyle::UpdateFamilies()
+{
   // The second family is drawn in tones above 1 - crosshatching. A style that is changed while it is shown
   // has it, too, for the slider.
   const bool needsBoth =
     this->GetInteractive() || this->Strokes->GetCrosshatching() > 1.0 - this->Strokes->GetDarkestTone();
   this->Lines->SetFamilies(needsBoth ? vtkInkLinesOfCurvature::BOTH : vtkInkLinesOfCurvature::MAXIMUM);
-  return std::max({ this->Contours->GetMTime(), this->Lines->GetMTime(), this->Hatching->GetMTime() });
 }
 
 vtkMapper* vtkInkLineArtStyle::GetMapper()

@@ -115,6 +115,7 @@ private:
   /// A thousandth of the picture's height in world units.
   double FindThousandth();
   void UpdateWidths();
+  void UpdateFamilies();
   void UpdateCulling();
 
   vtkNew<vtkInkContoursStyle> Contours;

@@ -3,6 +3,8 @@
 // its known lines of curvature.
 #include "HashNoise.h"
 #include "vtkInkLineArtStyle.h"
+#include "vtkInkLinesOfCurvature.h"
+#include "vtkInkStrokeMapper.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -98,4 +100,24 @@ TEST(LineArtStyle, CurvatureOfTheImageIsThatOfTheForm)
   // Measured: 0.50 and 0.58 degrees.
   EXPECT_LT(ofImage, 0.75);
   EXPECT_LT(ofImage, 0.95 * ofMesh);
+}
+
+TEST(LineArtStyle, FamiliesFollowCrosshatching)
+{
+  vtkNew<vtkInkLineArtStyle> style;
+  const auto families = [&] { return style->GetLinesOfCurvature()->GetFamilies(); };
+  EXPECT_EQ(families(), vtkInkLinesOfCurvature::BOTH);
+  const vtkMTimeType before = style->GetMTime();
+  ASSERT_TRUE(style->SetParameter("Crosshatch", 0.4));
+  EXPECT_EQ(families(), vtkInkLinesOfCurvature::BOTH);
+  EXPECT_EQ(style->GetMTime(), before) << "the strokes that there are serve";
+  ASSERT_TRUE(style->SetParameter("Crosshatch", 0));
+  EXPECT_EQ(families(), vtkInkLinesOfCurvature::MAXIMUM);
+  EXPECT_GT(style->GetMTime(), before);
+  style->InteractiveOn();
+  EXPECT_EQ(families(), vtkInkLinesOfCurvature::BOTH);
+  style->InteractiveOff();
+  EXPECT_EQ(families(), vtkInkLinesOfCurvature::MAXIMUM);
+  style->GetStrokeMapper()->SetCrosshatching(0.5);
+  EXPECT_EQ(families(), vtkInkLinesOfCurvature::BOTH);
 }
