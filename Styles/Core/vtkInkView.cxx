@@ -24,8 +24,8 @@ vtkStandardNewMacro(vtkInkView);
 namespace
 {
 
-/// What is rendered has as many pixels on its longer side at least, as far as it is no more than
-/// MOST_SUPERSAMPLING.
+/// What is rendered for a picture both of whose sides are shorter has as many pixels of height at least, of
+/// which splats' sizes are parts, as far as MOST_SUPERSAMPLING allows.
 constexpr int LeastHeight = 500;
 
 /// How many times more than its front the left or the top of a volume shows, to be seen: skulls of mice 1.9,
@@ -247,7 +247,7 @@ void vtkInkView::Apply(vtkCamera* camera, double turned)
 
 int vtkInkView::GetSupersampling(int width, int height)
 {
-  // Only small pictures, whatever their shape.
+  // Large pictures are not made larger still, however low they are.
   const bool isSmall = std::max(width, height) < LeastHeight;
   const int wanted = isSmall ? (LeastHeight - 1) / std::max(height, 1) + 1 : 0;
   return std::clamp<int>(wanted, LEAST_SUPERSAMPLING, MOST_SUPERSAMPLING);

@@ -108,8 +108,9 @@ public:
   ///@{
   /**
    * By how much what is rendered for a picture should be larger on either side, and made smaller then, so
-   * that lines are smooth: 2; up to 4 for pictures of less than 500 pixels, as splats that measure a few
-   * pixels at least would get broader lines there. See vtkInkStyle::SetPixelScale.
+   * that lines are smooth: 2; up to 4 for pictures of less than 500 pixels on both sides, until 500 of height
+   * are rendered, as splats that measure a few pixels at least, and parts of the height otherwise, would get
+   * broader lines there. See vtkInkStyle::SetPixelScale.
    */
   static int GetSupersampling(int width, int height);
   enum SupersamplingType

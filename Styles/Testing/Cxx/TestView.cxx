@@ -546,8 +546,11 @@ TEST(View, UnknownNamesAreRefused)
 TEST(View, SmallPicturesAreRenderedLarger)
 {
   EXPECT_EQ(vtkInkView::GetSupersampling(1024, 768), 2);
-  EXPECT_EQ(vtkInkView::GetSupersampling(500, 20), 2) << "whatever its shape";
+  EXPECT_EQ(vtkInkView::GetSupersampling(500, 20), 2) << "however low";
   EXPECT_EQ(vtkInkView::GetSupersampling(499, 499), 2);
   EXPECT_EQ(vtkInkView::GetSupersampling(240, 200), 3);
   EXPECT_EQ(vtkInkView::GetSupersampling(64, 64), 4);
+  // By the height, of which splats' sizes are parts.
+  EXPECT_EQ(vtkInkView::GetSupersampling(400, 100), 4);
+  EXPECT_EQ(vtkInkView::GetSupersampling(100, 400), 2);
 }
