@@ -222,10 +222,16 @@ def _write_picture(style, output, size, view, dpi):
         raise OSError(f"cannot write {os.fspath(output)!r}")
 
 
+# OpenGL implementations of today draw 16384 pixels, and pictures are drawn larger than they are. Only ink has tiles.
+_LONGEST_SIDE = 16384 // vtkInkView.LEAST_SUPERSAMPLING
+
+
 def _checked_size(size):
     sides = _plain(size)
     if not isinstance(sides, list) or len(sides) != 2 or not all(isinstance(side, int) and side >= 1 for side in sides):
         raise ValueError(f"size: expected two whole numbers of at least 1, found {size!r}")
+    if max(sides) > _LONGEST_SIDE:
+        raise ValueError(f"size: expected up to {_LONGEST_SIDE} pixels a side, found {size!r}; 'ink render' draws larger pictures")
     return sides
 
 
@@ -272,7 +278,7 @@ def draw(
     :param data: a VTK data object, an algorithm, the path of a file, or a NumPy array of three axes, z, y and x
     :param style: its name, see :func:`styles`; without one that of ``style_file``, or else illustration
     :param output: a PNG, JPEG or TIFF file to write a picture to
-    :param size: the picture's width and height in pixels; it also says how many marks a mesh gets
+    :param size: the picture's width and height in pixels, up to 8192; it also says how many marks a mesh gets
     :param dpi: how many of the picture's pixels an inch has in print
     :param view: the side to look at: front, back, left, right, top, bottom or iso; None: the front, or of a mesh the side
         that shows most

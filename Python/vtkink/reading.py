@@ -27,12 +27,11 @@ def _reader(path):
     # Legacy VTK files of both have one suffix.
     if name.endswith(".vtk") and vtkInkMeshReader().CanReadFile(path):
         return vtkInkMeshReader()
-    if name.endswith(tuple(volumes)):
+    # DICOM files have any name.
+    if name.endswith(tuple(volumes)) or vtkInkVolumeReader.IsDicomFile(path):
         return vtkInkVolumeReader()
     if name.endswith(tuple(meshes)):
         return vtkInkMeshReader()
-    if vtkInkVolumeReader.IsDicomFile(path):
-        return vtkInkVolumeReader()
     raise ValueError(f"{path!r}: expected a file of {' '.join(dict.fromkeys(volumes + meshes))} .vdb or a folder of DICOM or TIFF files")
 
 
@@ -83,18 +82,32 @@ def read(path):
     return data
 
 
-def _image(array):
-    """Of an array of three axes, z, y and x: VTK's x runs fastest. It shares the array's memory where it can."""
+def _values(array):
+    """An array as VTK can have it, in one piece: numbers in this machine's byte order, masked ones as NaN."""
     import numpy
 
+    values = numpy.ma.asanyarray(array)
+    if values.dtype.kind not in "biuf":
+        raise ValueError(f"expected an array of integers or real numbers, found one of {values.dtype.name}")
+    if numpy.ma.is_masked(values):
+        # Single precision where that has all of the values.
+        values = values.astype(numpy.result_type(values.dtype, numpy.float32)).filled(numpy.nan)
+    elif values.dtype == bool:
+        values = values.astype(numpy.uint8)
+    size = values.dtype.itemsize
+    if values.dtype.kind == "f" and size not in (4, 8):
+        values = values.astype(numpy.float32 if size < 4 else numpy.float64)
+    return numpy.ascontiguousarray(values, values.dtype.newbyteorder("="))
+
+
+def _image(array):
+    """Of an array of three axes, z, y and x: VTK's x runs fastest. It shares the array's memory where it can."""
     numpy_support = _vtk_module("util.numpy_support")
     if array.ndim != 3:
         raise ValueError(f"expected an array of three axes, z, y and x, found one of {array.ndim}")
     image = _vtk_module("vtkCommonDataModel").vtkImageData()
     image.SetDimensions(*array.shape[::-1])
-    values = numpy.ascontiguousarray(array)
-    values = values.astype(numpy.uint8) if values.dtype == bool else values
-    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(values.reshape(-1)))
+    image.GetPointData().SetScalars(numpy_support.numpy_to_vtk(_values(array).reshape(-1)))
     return image
 
 

@@ -14,6 +14,7 @@ import ink_files
 vtkink = pytest.importorskip("vtkink")
 vtk = vtkink.vtk
 numpy_support = vtkink.numpy_support
+reading = vtkink.reading
 
 BLOB = ink_files.blob((20, 24, 28))
 MESH = ink_files.sphere_mesh(20, 30)
@@ -36,6 +37,8 @@ FILES = {
     "m.stl": lambda p: ink_files.write_stl(p, MESH),
     "m.vtp": lambda p: ink_files.write_vtp(p, MESH),
     "m.vtu": lambda p: ink_files.write_vtu(p, MESH),
+    "m.gii": lambda p: ink_files.write_gifti(p, MESH),
+    "m.pcd": lambda p: ink_files.write_pcd(p, MESH),
     "m.xyz": lambda p: np.savetxt(p, np.hstack(MESH[:2])),
 }
 
@@ -309,6 +312,69 @@ def style_file(tmp_path, content):
     file = tmp_path / "mine.json"
     file.write_bytes(content if isinstance(content, bytes) else json.dumps(content).encode())
     return file
+
+
+def values_of(array):
+    return numpy_support.vtk_to_numpy(reading.data_object(array).GetPointData().GetScalars())
+
+
+@pytest.mark.parametrize("dtype", [">i2", ">f4", "<u4", "?", "f2", "g", "i8"])
+def test_arrays_of_any_numbers(dtype):
+    """Of foreign byte order, as FITS and NIfTI files have it, and of types that VTK does not have."""
+    array = (BLOB > 100 if dtype == "?" else BLOB).astype(dtype)
+    assert np.array_equal(values_of(array), array.ravel().astype(float))
+    # As a part of a larger array, which is not in one piece.
+    assert np.array_equal(values_of(array[:, ::2]), array[:, ::2].ravel().astype(float))
+
+
+def test_an_array_is_drawn_as_it_is_in_memory():
+    array = BLOB.astype("f4")
+    image = reading.data_object(array)
+    array[:] = 7
+    assert image.GetScalarRange() == (7, 7)
+
+
+@pytest.mark.parametrize("dtype, expected", [("u1", "f4"), (">i2", "f4"), ("i4", "f8"), ("f8", "f8"), ("f2", "f4")])
+def test_masked_values_are_none(dtype, expected):
+    array = np.ma.masked_greater(BLOB.astype(dtype), 100)
+    values = values_of(array)
+    assert values.dtype == expected
+    assert np.array_equal(values, array.astype("f8").filled(np.nan).ravel(), equal_nan=True)
+    assert np.isnan(values).any()
+    whole = values_of(np.ma.masked_greater(BLOB, 1000))
+    assert whole.dtype == np.uint8 and np.array_equal(whole, BLOB.ravel())
+
+
+@pytest.mark.parametrize("dtype, name", [(complex, "complex128"), (object, "object"), ("U3", "str"), ("M8[s]", "datetime64")])
+def test_arrays_without_numbers_are_refused(dtype, name):
+    with pytest.raises(ValueError, match=f"expected an array of integers or real numbers, found one of {name}"):
+        vtkink.draw(BLOB.astype(dtype))
+
+
+@pytest.mark.parametrize("size", [(8193, 10), (10, 10**9)])
+def test_larger_pictures_are_inks(tmp_path, size):
+    with pytest.raises(ValueError, match="size: expected up to 8192 pixels a side, found .*'ink render'"):
+        vtkink.draw(BLOB, output=tmp_path / "large.png", size=size)
+    assert not list(tmp_path.iterdir())
+
+
+def test_ink_and_python_take_the_same_reader(ink, tmp_path):
+    """Also of DICOM files, whose names end in anything, and of what two readers have a suffix for."""
+    ink_files.write_dicom(tmp_path / "series", BLOB[:1])
+    (slice_file,) = (tmp_path / "series").iterdir()
+    for suffix in (".stl", ".ply", ".dat", ".vti"):
+        (tmp_path / f"slice{suffix}").write_bytes(slice_file.read_bytes())
+    ink_files.write_legacy(tmp_path / "volume.vtk", BLOB)
+    ink_files.write_ply(tmp_path / "mesh.ply", MESH)
+    ink_files.write_ply(tmp_path / "mesh.vti", MESH)
+    for path in sorted(tmp_path.iterdir()):
+        said = ink("info", path)
+        try:
+            found = "points" if vtkink.read(path).IsA("vtkPolyData") else "dimensions"
+        except ValueError as error:
+            assert said.code == 1 and str(error).rstrip(".") in said.error, path
+            continue
+        assert said.code == 0 and found in [line.split()[0] for line in said.out.splitlines()], (path, found, said)
 
 
 def test_a_style_file_says_the_style(tmp_path):
