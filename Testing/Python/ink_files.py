@@ -349,6 +349,47 @@ def write_off(path, mesh, normals=False):
     path.write_text("\n".join(lines) + "\n")
 
 
+def gifti_array(intent, values, encoding="GZipBase64Binary", big=False, columns=False):
+    """An element DataArray; columns: its numbers follow each other along columns."""
+    numbers = np.asarray(values, "f4" if np.asarray(values).dtype.kind == "f" else "i4")
+    data = numbers.astype(numbers.dtype.newbyteorder(">" if big else "<")).tobytes("F" if columns else "C")
+    if encoding == "ASCII":
+        text = " ".join("%.9g" % value for value in numbers.ravel("F" if columns else "C"))
+    else:
+        text = base64.b64encode(zlib.compress(data) if encoding[0] == "G" else data).decode()
+    sizes = "".join(f' Dim{axis}="{size}"' for axis, size in enumerate(numbers.shape))
+    return (f'<DataArray Intent="NIFTI_INTENT_{intent}" DataType="NIFTI_TYPE_{"FLOAT" if numbers.dtype.kind == "f" else "INT"}32" '
+            f'ArrayIndexingOrder="{"Column" if columns else "Row"}MajorOrder" Dimensionality="{numbers.ndim}"{sizes} '
+            f'Encoding="{encoding}" Endian="{"Big" if big else "Little"}Endian" ExternalFileName="" ExternalFileOffset="0">\n'
+            f"<Data>{text}</Data>\n</DataArray>\n")
+
+
+def write_gifti(path, mesh, encoding="GZipBase64Binary", big=False, columns=False):
+    arrays = [("POINTSET", mesh[0].astype("f4")), ("TRIANGLE", mesh[2].astype("i4"))]
+    content = "".join(gifti_array(intent, values, encoding, big, columns) for intent, values in arrays)
+    path.write_text(f'<?xml version="1.0" encoding="UTF-8"?>\n<GIFTI Version="1.0" NumberOfDataArrays="2">\n{content}</GIFTI>\n')
+
+
+def pack_lzf(data):
+    """Nothing is packed: runs of up to 32 bytes as they are."""
+    return b"".join(bytes([len(run) - 1]) + run for run in (data[i : i + 32] for i in range(0, len(data), 32)))
+
+
+def write_pcd(path, mesh, form="binary_compressed"):
+    """The points of a mesh with their normals."""
+    columns = np.hstack(mesh[:2]).astype("<f4")
+    count = len(columns)
+    header = ("# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z normal_x normal_y normal_z\nSIZE 4 4 4 4 4 4\n"
+              f"TYPE F F F F F F\nCOUNT 1 1 1 1 1 1\nWIDTH {count}\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS {count}\nDATA {form}\n")
+    data = columns.tobytes("F" if form == "binary_compressed" else "C")
+    if form == "ascii":
+        data = "".join(" ".join("%.9g" % value for value in row) + "\n" for row in columns).encode()
+    elif form == "binary_compressed":
+        packed = pack_lzf(data)
+        data = struct.pack("<II", len(packed), len(data)) + packed
+    path.write_bytes(header.encode() + data)
+
+
 def write_vtp(path, mesh, form="appended", normals=True):
     points, point_normals, triangles = mesh
     appended = bytearray()
@@ -441,7 +482,7 @@ def read_points(path):
 
 def read_ply_points(data):
     head, records = data.split(b"end_header\n", 1)
-    types = {"float": "<f4", "double": "<f8", "int": "<i4"}
+    types = {"float": "<f4", "double": "<f8", "int": "<i4", "uint": "<u4", "short": "<i2", "ushort": "<u2", "char": "<i1", "uchar": "<u1"}
     words = [line.split() for line in head.decode().splitlines()]
     assert words[0] == ["ply"] and words[1] == ["format", "binary_little_endian", "1.0"]
     count = next(int(line[2]) for line in words if line[:2] == ["element", "vertex"])

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """`ink sample`: points on the surface of a volume, in files that others read."""
 
+import csv
 import os
 import subprocess
 
@@ -267,6 +268,66 @@ def test_points_without_polygons_are_kept(ink, tmp_path):
     estimated = np.stack([columns["n" + name] for name in "xyz"], axis=1)
     assert len(found) == len(points) and {"Radius", "Priority"} <= set(columns)
     assert ((found * estimated).sum(axis=1) > 0.95).all()
+
+
+# What is written of points beside their coordinates: type in a legacy VTK file, components.
+CLOUD_ARRAYS = {"id": ("int", 1), "R&D": ("unsigned_short", 1), "a, b": ("short", 2), '<"q">': ("vtktypeint64", 1),
+                "a,_b_0": ("unsigned_int", 1), "nx": ("signed_char", 1), "byte": ("unsigned_char", 1), "bit": ("bit", 1),
+                "large": ("vtktypeuint64", 1), "real": ("double", 1)}  # fmt: skip
+
+
+@pytest.fixture
+def cloud_file(tmp_path):
+    """Points with arrays of many types and names, and one of text. Each value is `id`, modulo 2 where it is a bit."""
+    points = ink_files.sphere_mesh(9, 10)[0][:60]
+    ids = range(len(points))
+    text = f"# vtk DataFile Version 3.0\ntest\nASCII\nDATASET POLYDATA\nPOINTS {len(points)} float\n"
+    text += "\n".join(" ".join(map(str, point)) for point in points)
+    text += f"\nPOINT_DATA {len(points)}\nFIELD f {len(CLOUD_ARRAYS) + 1}\nlabel 1 {len(points)} string\n" + "\n".join("abcdef" for _ in ids)
+    for name, (kind, components) in CLOUD_ARRAYS.items():
+        encoded = "".join(c if c not in ' "%' else f"%{ord(c):02X}" for c in name)
+        text += f"\n{encoded} {components} {len(points)} {kind}\n"
+        text += " ".join(str(n % 2 if kind == "bit" else n) for n in ids for _ in range(components))
+    (tmp_path / "cloud.vtk").write_text(text + "\n")
+    return tmp_path / "cloud.vtk"
+
+
+@pytest.mark.parametrize("suffix, reader", [("vtp", "vtkXMLPolyDataReader"), ("vtk", "vtkPolyDataReader")])
+def test_arrays_of_numbers_are_kept(ink, cloud_file, tmp_path, suffix, reader):
+    vtkink = pytest.importorskip("vtkink")
+    result = ink("sample", cloud_file, tmp_path / f"out.{suffix}")
+    assert result.code == 0 and "the point array 'label' is left out: its values are of type string" in result.err, result
+    reader = getattr(vtkink.vtk, reader)()
+    reader.SetFileName(str(tmp_path / f"out.{suffix}"))
+    reader.Update()
+    data = reader.GetOutput().GetPointData()
+    arrays = {data.GetArrayName(i): data.GetArray(i) for i in range(data.GetNumberOfArrays())}
+    assert set(arrays) == {*CLOUD_ARRAYS, "Normals", "Radius", "Priority"}
+    values = {name: vtkink.numpy_support.vtk_to_numpy(array).astype(int) for name, array in arrays.items()}
+    assert sorted(values["id"]) == list(range(60))
+    for name, (kind, components) in CLOUD_ARRAYS.items():
+        assert arrays[name].GetNumberOfComponents() == components
+        expected = values["id"] % 2 if kind == "bit" else values["id"]
+        assert all(np.array_equal(column, expected) for column in values[name].reshape(60, -1).T), name
+    whole = {name: array.GetDataTypeSize() for name, array in arrays.items() if array.GetDataTypeAsString() not in ("float", "double")}
+    assert whole == {"id": 4, "R&D": 2, "a, b": 2, '<"q">': 8, "a,_b_0": 4, "nx": 1, "byte": 1, "bit": 1, "large": 8}
+
+
+def test_columns_of_tables_have_a_name_each(ink, cloud_file, tmp_path):
+    names = {"csv": {"R&D", "a, b_0", "a, b_1", '<"q">', "a,_b_0", "nx_", "byte", "bit", "large", "real"},
+             "ply": {"R&D", "a,_b_0", "a,_b_1", '<"q">', "a,_b_0_", "nx_", "byte", "bit", "large", "real"}}
+    for suffix, expected in names.items():
+        result = ink("sample", cloud_file, tmp_path / f"out.{suffix}")
+        assert result.code == 0 and "'label' is left out" in result.err, result
+        assert ("'large' is written in double precision: PLY has no" in result.err) == (suffix == "ply")
+    head, *rows = csv.reader((tmp_path / "out.csv").read_text().splitlines())
+    tables = {"csv": dict(zip(head, np.array(rows, float).T)), "ply": ink_files.read_points(tmp_path / "out.ply")}
+    assert len(head) == len(set(head))
+    for suffix, table in tables.items():
+        assert set(table) == {"x", "y", "z", "nx", "ny", "nz", "id", "Radius", "Priority"} | names[suffix]
+        for name in names[suffix]:
+            assert np.array_equal(table[name], table["id"] % 2 if name == "bit" else table["id"]), name
+    assert tables["ply"]["R&D"].dtype == np.uint16
 
 
 @pytest.mark.parametrize("arguments, words", [

@@ -7,6 +7,7 @@
 #include "PointStore.h"
 #include "Progress.h"
 #include "SampleMesh.h"
+#include "WritablePoints.h"
 
 #include "vtkPolyData.h"
 
@@ -44,7 +45,9 @@ void sample(const SampleOptions& options)
     {
       throw UsageError("--iso: a mesh has no iso-values, only volumes have");
     }
-    points.add(0, sampleMesh(vtkPolyData::SafeDownCast(input.data), options.mesh, notes, progress));
+    const vtkSmartPointer<vtkPolyData> samples =
+      sampleMesh(vtkPolyData::SafeDownCast(input.data), options.mesh, notes, progress);
+    points.add(0, writablePoints(samples, format, notes));
   }
   progress.step("writing " + options.output.filename().string());
   writePoints(points, format, output);

@@ -3,8 +3,10 @@
 
 #include "Errors.h"
 #include "OutputFile.h"
+#include "PointNames.h"
 #include "PointStore.h"
 
+#include "vtkSetGet.h"
 #include "vtkType.h"
 #include "vtksys/SystemTools.hxx"
 
@@ -29,28 +31,6 @@ namespace
 constexpr std::array<std::pair<const char*, PointFormat>, 5> suffixes{ { { ".vtp", PointFormat::Vtp },
   { ".vtk", PointFormat::Vtk }, { ".ply", PointFormat::Ply }, { ".csv", PointFormat::Csv },
   { ".xyz", PointFormat::Xyz } } };
-
-/// What the formats call a type of values.
-struct TypeNames
-{
-  int type;
-  const char* xml;
-  const char* legacy;
-  const char* ply;
-};
-
-const TypeNames& namesOf(int type)
-{
-  static constexpr std::array<TypeNames, 4> all{ { { VTK_FLOAT, "Float32", "float", "float" },
-    { VTK_DOUBLE, "Float64", "double", "double" }, { VTK_INT, "Int32", "int", "int" },
-    { VTK_UNSIGNED_CHAR, "UInt8", "unsigned_char", "uchar" } } };
-  const auto found = std::find_if(all.begin(), all.end(), [type](const auto& t) { return t.type == type; });
-  if (found == all.end())
-  {
-    throw Failure("point arrays of VTK's type " + std::to_string(type) + " cannot be written");
-  }
-  return *found;
-}
 
 std::span<const unsigned char> bytesOf(const std::string& text)
 {
@@ -105,14 +85,14 @@ void writeXml(const PointStore& points, const ByteSink& sink)
   const auto element = [&offset](
                          const char* type, const std::string& name, int components, std::uint64_t size)
   {
-    const std::string text = std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
+    const std::string text = std::string("<DataArray type=\"") + type + "\" Name=\"" + xmlName(name) +
       "\" NumberOfComponents=\"" + std::to_string(components) + "\" format=\"appended\" offset=\"" +
       std::to_string(offset) + "\"/>\n";
     offset += sizeof(std::uint64_t) + size;
     return text;
   };
   const auto arrayElement = [&](const PointStore::Array& array)
-  { return element(namesOf(array.type).xml, array.name, array.components, count * array.tupleSize()); };
+  { return element(typeNamesOf(array.type).xml, array.name, array.components, count * array.tupleSize()); };
 
   const auto& arrays = points.arrays();
   std::string head = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"";
@@ -183,7 +163,7 @@ void writeLegacy(const PointStore& points, const ByteSink& sink)
   const auto& arrays = points.arrays();
   sink(
     bytesOf("# vtk DataFile Version 3.0\npoints on a surface, from ink\nBINARY\nDATASET POLYDATA\nPOINTS " +
-      n + " " + namesOf(arrays[0].type).legacy + "\n"));
+      n + " " + typeNamesOf(arrays[0].type).legacy + "\n"));
   writeArray(0);
   std::string cell = "VERTICES 1 " + std::to_string(count + 1) + "\n";
   const std::size_t start = cell.size();
@@ -201,12 +181,12 @@ void writeLegacy(const PointStore& points, const ByteSink& sink)
   std::vector<std::size_t> fields;
   for (std::size_t i = 1; i < arrays.size(); ++i)
   {
-    if (arrays[i].name != "Normals")
+    if (!arrays[i].isNormals())
     {
       fields.push_back(i);
       continue;
     }
-    sink(bytesOf(std::string("NORMALS Normals ") + namesOf(arrays[i].type).legacy + "\n"));
+    sink(bytesOf(std::string("NORMALS Normals ") + typeNamesOf(arrays[i].type).legacy + "\n"));
     writeArray(i);
   }
   if (!fields.empty())
@@ -215,33 +195,10 @@ void writeLegacy(const PointStore& points, const ByteSink& sink)
   }
   for (const std::size_t i : fields)
   {
-    sink(bytesOf(arrays[i].name + " " + std::to_string(arrays[i].components) + " " + n + " " +
-      namesOf(arrays[i].type).legacy + "\n"));
+    sink(bytesOf(legacyName(arrays[i].name) + " " + std::to_string(arrays[i].components) + " " + n + " " +
+      typeNamesOf(arrays[i].type).legacy + "\n"));
     writeArray(i);
   }
-}
-
-/// What table-like formats call the components of an array.
-std::vector<std::string> columnNames(const PointStore::Array& array)
-{
-  if (array.name == "Points")
-  {
-    return { "x", "y", "z" };
-  }
-  if (array.name == "Normals")
-  {
-    return { "nx", "ny", "nz" };
-  }
-  if (array.components == 1)
-  {
-    return { array.name };
-  }
-  std::vector<std::string> names;
-  for (int c = 0; c < array.components; ++c)
-  {
-    names.push_back(array.name + "_" + std::to_string(c));
-  }
-  return names;
 }
 
 void writePly(const PointStore& points, const ByteSink& sink)
@@ -252,12 +209,14 @@ void writePly(const PointStore& points, const ByteSink& sink)
     "_endian 1.0\ncomment points on a surface, from ink\nelement vertex " + std::to_string(points.size()) +
     "\n";
   std::size_t recordSize = 0;
+  const std::vector<std::string> names = columnNames(points, true);
+  auto name = names.begin();
   for (const auto& array : arrays)
   {
     recordSize += array.tupleSize();
-    for (const std::string& name : columnNames(array))
+    for (int c = 0; c < array.components; ++c)
     {
-      head += std::string("property ") + namesOf(array.type).ply + " " + name + "\n";
+      head += std::string("property ") + typeNamesOf(array.type).ply + " " + *name++ + "\n";
     }
   }
   sink(bytesOf(head + "end_header\n"));
@@ -294,14 +253,7 @@ void appendText(std::string& line, int type, const unsigned char* bytes)
 {
   switch (type)
   {
-    case VTK_FLOAT:
-      return appendText<float>(line, bytes);
-    case VTK_DOUBLE:
-      return appendText<double>(line, bytes);
-    case VTK_INT:
-      return appendText<int>(line, bytes);
-    default:
-      return appendText<unsigned char>(line, bytes);
+    vtkTemplateMacro(appendText<VTK_TT>(line, bytes));
   }
 }
 
@@ -335,13 +287,9 @@ void writeText(const PointStore& points, char separator, std::span<const std::si
 void writeCsv(const PointStore& points, const ByteSink& sink)
 {
   std::string head;
-  for (const auto& array : points.arrays())
+  for (const std::string& name : columnNames(points, false))
   {
-    namesOf(array.type);
-    for (const std::string& name : columnNames(array))
-    {
-      head += name + ",";
-    }
+    head += csvName(name) + ",";
   }
   head.back() = '\n';
   writeText(points, ',', indices(points.arrays().size()), head, sink);
@@ -352,7 +300,7 @@ void writeXyz(const PointStore& points, const ByteSink& sink)
   std::vector<std::size_t> wanted{ 0 };
   for (std::size_t i = 1; i < points.arrays().size(); ++i)
   {
-    if (points.arrays()[i].name == "Normals")
+    if (points.arrays()[i].isNormals())
     {
       wanted.push_back(i);
     }

@@ -154,7 +154,7 @@ vtkSmartPointer<vtkPolyData> PointStore::take() const
       points->SetData(array);
       all->SetPoints(points);
     }
-    else if (this->Arrays[i].name == "Normals")
+    else if (this->Arrays[i].isNormals())
     {
       all->GetPointData()->SetNormals(array);
     }

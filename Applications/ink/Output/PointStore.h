@@ -31,6 +31,7 @@ public:
     int components;
 
     std::size_t tupleSize() const;
+    bool isNormals() const { return this->name == "Normals" && this->components == 3; }
     bool operator==(const Array&) const = default;
   };
 
@@ -47,7 +48,8 @@ public:
   /// @param folder where there is room for the rest
   PointStore(std::uint64_t memory, std::filesystem::path folder);
 
-  /// Adds points of a surface. All have to have the same arrays, and are taken to have the same field data.
+  /// Adds points of a surface. All have to have the same arrays, which have names and hold numbers, and are
+  /// taken to have the same field data.
   /// @throws Failure if the temporary file cannot be written.
   void add(int surface, vtkPolyData* points);
 
