@@ -3,6 +3,7 @@
 
 #include "ReadError.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -68,13 +69,42 @@ std::size_t readAt(int descriptor, std::uint64_t position, std::span<unsigned ch
   {
     const ssize_t count =
       ::pread(descriptor, data.data() + done, data.size() - done, static_cast<off_t>(position + done));
-    if (count == 0 || (count < 0 && errno != EINTR))
+    if (count == 0)
+    {
+      errno = 0; // also after an interrupted call
+      break;
+    }
+    if (count < 0 && errno != EINTR)
     {
       break;
     }
     done += static_cast<std::size_t>(count < 0 ? 0 : count);
   }
   return done;
+}
+
+bool readAll(int descriptor, const ByteSink& sink)
+{
+  std::array<unsigned char, 1 << 16> part;
+  std::uint64_t position = 0;
+  while (true)
+  {
+    const std::size_t count = readAt(descriptor, position, part);
+    const bool isLast = count < part.size();
+    if (isLast && errno != 0)
+    {
+      return false;
+    }
+    if (count > 0)
+    {
+      sink(std::span(part).first(count));
+    }
+    if (isLast)
+    {
+      return true;
+    }
+    position += count;
+  }
 }
 
 } // namespace ink::io

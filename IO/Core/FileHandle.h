@@ -3,6 +3,8 @@
 
 #include "vtkInkIOCoreModule.h" // for the export macro
 
+#include "ByteSink.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -49,7 +51,10 @@ VTKINKIOCORE_EXPORT FileHandle openUnnamed(const std::filesystem::path& folder);
 VTKINKIOCORE_EXPORT bool writeAll(int descriptor, std::span<const unsigned char> data);
 
 /// Fills data from a position in a file on. @return the bytes read: fewer than asked for at the end of the
-/// file, and after an error, which errno tells
+/// file, where errno is 0, and after an error, which errno tells
 VTKINKIOCORE_EXPORT std::size_t readAt(int descriptor, std::uint64_t position, std::span<unsigned char> data);
+
+/// Hands over all of a file, part by part. @return false if reading it failed; errno says why
+VTKINKIOCORE_EXPORT bool readAll(int descriptor, const ByteSink& sink);
 
 } // namespace ink::io

@@ -61,35 +61,38 @@ bool isList(const fs::path& name)
   return name.extension() == ".pvd" || name.extension() == ".series";
 }
 
+/// Whether a file's name is one of a pattern's. Beside a number, which stands for digits, each character
+/// stands for itself; a pattern without one is as in the shell.
+bool matches(const std::string& pattern, const std::string& file)
+{
+  const auto number = findNumber(pattern);
+  if (!number)
+  {
+    return fnmatch(pattern.c_str(), file.c_str(), FNM_PERIOD) == 0;
+  }
+  const std::string before = pattern.substr(0, number->first);
+  const std::string after = pattern.substr(number->first + number->second);
+  if (file.size() <= before.size() + after.size() || !file.starts_with(before) || !file.ends_with(after))
+  {
+    return false;
+  }
+  const std::string digits = file.substr(before.size(), file.size() - before.size() - after.size());
+  return digits.find_first_not_of("0123456789") == std::string::npos;
+}
+
 std::vector<fs::path> matching(const fs::path& pattern)
 {
-  std::string name = pattern.filename().string();
-  if (const auto number = findNumber(name))
-  {
-    name = name.substr(0, number->first) + "*" + name.substr(number->first + number->second);
-  }
+  const std::string name = pattern.filename().string();
   const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : fs::path(".");
   std::vector<std::string> found;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
   {
     const std::string file = entry.path().filename().string();
-    if (fnmatch(name.c_str(), file.c_str(), FNM_PERIOD) == 0 && entry.is_regular_file())
+    if (matches(name, file) && entry.is_regular_file())
     {
       found.push_back(file);
     }
-  }
-  const auto number = findNumber(pattern.filename().string());
-  if (number)
-  {
-    const std::string whole = pattern.filename().string();
-    const std::size_t after = whole.size() - number->first - number->second;
-    std::erase_if(found,
-      [&](const std::string& file)
-      {
-        const std::string part = file.substr(number->first, file.size() - number->first - after);
-        return part.empty() || part.find_first_not_of("0123456789") != std::string::npos;
-      });
   }
   std::sort(found.begin(), found.end(), comesBefore);
   std::vector<fs::path> files;

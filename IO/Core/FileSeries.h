@@ -12,6 +12,7 @@ namespace ink::io
 
 /// Whether a name is that of a series of files rather than of one: a .pvd or .series file, or a pattern with
 /// * or ? or with a number as printf writes it, such as %04d, where there is no file of this very name.
+/// Beside a number, which stands for any digits, * and ? stand for themselves.
 VTKINKIOCORE_EXPORT bool isSeries(const std::filesystem::path& name);
 
 /// The files of a series in their order: by time in .pvd and .series files, by the numbers in their names for

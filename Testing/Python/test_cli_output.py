@@ -2,6 +2,7 @@
 """The files of `ink render`: formats, resolution, the standard output, and pictures drawn in tiles."""
 
 import os
+import pathlib
 import re
 import struct
 import subprocess
@@ -177,3 +178,25 @@ def test_more_pixels_than_opengl_has(written, mesh_file):
 def test_tiles_that_cannot_be(ink, volume_file, tile):
     result = ink("render", volume_file, "-o", "none.png", "--tile", tile)
     assert result.code == 2 and "--tile '" in result.error
+
+
+@pytest.mark.one_build
+def test_a_video_of_any_spelling_and_rate(ink, volume_file, tmp_path):
+    """By a program in ffmpeg's place, which writes down what it is told."""
+    program = tmp_path / "ffmpeg"
+    program.write_text('#!/bin/sh\nfor last; do :; done\necho "$@" > "$ARGUMENTS"\ncat > "$last"\n')
+    program.chmod(0o755)
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "ARGUMENTS": str(tmp_path / "arguments")}
+    for name, rate, codec in (("a.MP4", "29.97002997", "libx264"), ("b.WebM", "1000", "libvpx"), ("c.GIF", "0.1", "palettegen")):
+        result = ink("render", volume_file, *LINES, "--frames", 2, "--fps", rate, "--size", "20x10", "-o", tmp_path / name, env=env)
+        assert result.code == 0 and (tmp_path / name).stat().st_size == 2 * 20 * 10 * 3, result
+        words = (tmp_path / "arguments").read_text()
+        assert f"-s 20x10 -r {rate} " in words and codec in words
+
+
+def test_what_is_said_of_tiles(ink):
+    """Help and documentation name the same limits."""
+    said = " ".join(ink("render", "--help-all").out.split())
+    assert "(1024 above 4.2 million pixels or 8192 a side)" in said
+    page = pathlib.Path(__file__).parents[2] / "Documentation" / "command-line.md"
+    assert "more than 4.2 million pixels, or of more than 8192 a side, is drawn in tiles of 1024" in " ".join(page.read_text().split())

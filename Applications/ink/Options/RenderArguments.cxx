@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderArguments.h"
 
+#include "Core/FormatNumber.h"
 #include "Errors.h"
 #include "FileSeries.h"
 #include "FrameChoice.h"
@@ -118,8 +119,9 @@ void RenderArguments::add(CLI::App* command, const std::string& styleName, bool 
   command
     ->add_option("--tile", this->tile,
       "draw in tiles of so many pixels a side, which takes less memory and more time (" +
-        std::to_string(PictureSize::usualTile) + " above " +
-        std::to_string(PictureSize::mostPixelsAtOnce / 1'000'000) + "\nmillion pixels)")
+        std::to_string(PictureSize::usualTile) + "\nabove " +
+        formatNumber(PictureSize::mostPixelsAtOnce / 1e6) + " million pixels or " +
+        std::to_string(PictureSize::longestWindow) + " a side)")
     ->type_name("N")
     ->check(wholeNumber(PictureSize::shortestTile, PictureSize::longestWindow));
 

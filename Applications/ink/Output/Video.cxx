@@ -3,11 +3,12 @@
 
 #include "Errors.h"
 
-#include <algorithm>
+#include "vtksys/SystemTools.hxx"
+
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -42,7 +43,8 @@ const std::map<std::string, std::vector<std::string>>& encodings()
   return all;
 }
 
-/// An executable file of a name in the folders that PATH lists; empty if there is none.
+/// An executable file of a name in the folders that PATH lists; empty if there is none. VTK's FindProgram
+/// would take one in the working directory first.
 std::string findProgram(const std::string& name)
 {
   const char* path = std::getenv("PATH");
@@ -58,11 +60,24 @@ std::string findProgram(const std::string& name)
   return {};
 }
 
+/// The end of a file's name, in small letters.
+std::string endingOf(const fs::path& file)
+{
+  return vtksys::SystemTools::LowerCase(file.extension().string());
+}
+
+/// The shortest text that reads back as the same number.
+std::string exactText(double number)
+{
+  std::array<char, 32> text;
+  return { text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr };
+}
+
 } // namespace
 
 bool Video::isVideo(const fs::path& file)
 {
-  return encodings().contains(file.extension().string());
+  return encodings().contains(endingOf(file));
 }
 
 Video::Video(const fs::path& file, int width, int height, double framesPerSecond)
@@ -85,11 +100,10 @@ Video::Video(const fs::path& file, int width, int height, double framesPerSecond
   const io::FileHandle reading(ends[0]);
   this->Pictures = io::FileHandle(ends[1]);
 
-  std::ostringstream rate;
-  rate << framesPerSecond;
   std::vector<std::string> words{ program, "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
-    std::to_string(width) + "x" + std::to_string(height), "-r", rate.str(), "-i", "pipe:0", "-an" };
-  const std::vector<std::string>& encoding = encodings().at(file.extension().string());
+    std::to_string(width) + "x" + std::to_string(height), "-r", exactText(framesPerSecond), "-i", "pipe:0",
+    "-an" };
+  const std::vector<std::string>& encoding = encodings().at(endingOf(file));
   words.insert(words.end(), encoding.begin(), encoding.end());
   words.push_back("/proc/self/fd/" + std::to_string(this->Encoded.get()));
   std::vector<char*> arguments;
@@ -144,19 +158,17 @@ void Video::finish()
   {
   }
   this->Encoder = -1;
-  std::array<unsigned char, 1 << 16> part;
-  std::size_t count = io::readAt(this->Encoded.get(), 0, part);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS || count == 0)
+  const bool isEmpty = lseek(this->Encoded.get(), 0, SEEK_END) <= 0;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS || isEmpty)
   {
     this->fail();
   }
   this->Output.write(
     [&](const ByteSink& sink)
     {
-      for (std::uint64_t position = 0; count > 0; count = io::readAt(this->Encoded.get(), position, part))
+      if (!io::readAll(this->Encoded.get(), sink))
       {
-        sink(std::span(part).first(count));
-        position += count;
+        throw Failure("cannot write '" + this->File.string() + "': " + std::strerror(errno));
       }
     });
 }

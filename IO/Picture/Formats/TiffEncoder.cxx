@@ -3,7 +3,6 @@
 
 #include "vtk_tiff.h"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <vector>
@@ -127,11 +126,9 @@ void TiffEncoder::finish()
   }
   TIFFClose(this->Tiff->tiff);
   this->Tiff->tiff = nullptr;
-  std::array<unsigned char, 1 << 16> part;
-  std::uint64_t position = 0;
-  for (std::size_t count; (count = readAt(this->Tiff->file.get(), position, part)) > 0; position += count)
+  if (!readAll(this->Tiff->file.get(), this->Sink))
   {
-    this->Sink(std::span(part).first(count));
+    fail();
   }
 }
 
