@@ -18,7 +18,11 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
@@ -35,23 +39,32 @@ constexpr const char* SampledPointsName = "SampledMeshPoints";
 // Of triangles around a sample whose stretch counts, at the most.
 constexpr int MostStretchRounds = 8;
 
-/// For each point of the mesh, the factor by which discs around it must grow since the samples were made.
-/// Empty if nothing has moved.
-std::vector<float> GetStretch(const InkMeshTriangles& triangles, vtkPolyData* samples, vtkDataArray* radius)
+/// Where the mesh's points were when the samples were made.
+/// @param count how many the mesh has
+std::vector<glm::dvec3> GetPointsBefore(vtkPolyData* samples, std::size_t count)
 {
   vtkDataArray* array = samples->GetFieldData()->GetArray(SampledPointsName);
   if (!array || array->GetNumberOfComponents() != 3 ||
-    array->GetNumberOfTuples() != static_cast<vtkIdType>(triangles.Points.size()))
+    array->GetNumberOfTuples() != static_cast<vtkIdType>(count))
   {
     throw std::invalid_argument(std::string("the first frame's samples lack the field array ") +
-      SampledPointsName + " with the mesh's " + std::to_string(triangles.Points.size()) +
+      SampledPointsName + " with the mesh's " + std::to_string(count) +
       " points; expected samples made with KeepFaces");
   }
-  std::vector<glm::dvec3> before(triangles.Points.size());
+  std::vector<glm::dvec3> before(count);
   for (std::size_t i = 0; i < before.size(); ++i)
   {
     array->GetTuple(static_cast<vtkIdType>(i), &before[i].x);
   }
+  return before;
+}
+
+/// For each point of the mesh, the factor by which discs around it must grow since the samples were made.
+/// Empty if nothing has moved.
+/// @param before of GetPointsBefore
+std::vector<float> GetStretch(
+  const InkMeshTriangles& triangles, const std::vector<glm::dvec3>& before, vtkDataArray* radius)
+{
   if (before == triangles.Points)
   {
     return {};
@@ -140,6 +153,38 @@ vtkSmartPointer<vtkDataArray> GrowRadius(vtkDataArray* radius, const std::vector
   return grown;
 }
 
+/// A triangle's sides from its first corner and its normal, which is as long as they are.
+glm::dmat3 GetFrame(const std::vector<glm::dvec3>& points, const ink::Triangle& triangle)
+{
+  const glm::dvec3 a = points[triangle[1]] - points[triangle[0]];
+  const glm::dvec3 b = points[triangle[2]] - points[triangle[0]];
+  const glm::dvec3 normal = glm::cross(a, b);
+  return { a, b, normal / std::sqrt(glm::length(normal)) };
+}
+
+/// Vectors of samples, two of three components each, that turn and stretch with the samples' triangles. Those
+/// of triangles that had no area are 0.
+vtkSmartPointer<vtkDataArray> TurnVectors(vtkDataArray* vectors, const std::vector<glm::dvec3>& before,
+  const std::vector<glm::dvec3>& now, const std::vector<ink::Triangle>& triangles)
+{
+  vtkSmartPointer<vtkDataArray> turned = vtk::TakeSmartPointer(vectors->NewInstance());
+  turned->DeepCopy(vectors);
+  for (vtkIdType i = 0; i < vectors->GetNumberOfTuples(); ++i)
+  {
+    const ink::Triangle& triangle = triangles[static_cast<std::size_t>(i)];
+    const glm::dmat3 change = GetFrame(now, triangle) * glm::inverse(GetFrame(before, triangle));
+    std::array<glm::dvec3, 2> pair;
+    vectors->GetTuple(i, &pair[0].x);
+    for (glm::dvec3& vector : pair)
+    {
+      vector = change * vector;
+      vector = std::isfinite(vector.x + vector.y + vector.z) ? vector : glm::dvec3(0.0);
+    }
+    turned->SetTuple(i, &pair[0].x);
+  }
+  return turned;
+}
+
 } // namespace
 
 void InkAddFaces(const InkMeshTriangles& triangles, const std::vector<ink::SurfaceSample>& samples,
@@ -219,7 +264,10 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
   vtkDataArray* weights = samples->GetPointData()->GetArray(BarycentricName);
   InkMeshTriangles triangles(mesh, normals, InkMeshTriangles::Order::OfMesh);
   vtkDataArray* radius = samples->GetPointData()->GetArray("Radius");
-  const std::vector<float> stretch = radius ? GetStretch(triangles, samples, radius) : std::vector<float>();
+  vtkDataArray* edges = samples->GetPointData()->GetArray("EdgeOffsets");
+  const std::vector<glm::dvec3> before =
+    radius || edges ? GetPointsBefore(samples, triangles.Points.size()) : std::vector<glm::dvec3>();
+  const std::vector<float> stretch = radius ? GetStretch(triangles, before, radius) : std::vector<float>();
   // Each sample has its own triangle.
   triangles.Triangles.resize(static_cast<std::size_t>(count));
   std::vector<ink::SurfaceSample> positions(static_cast<std::size_t>(count));
@@ -248,5 +296,9 @@ void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int t
   if (!stretch.empty())
   {
     output->GetPointData()->AddArray(GrowRadius(radius, stretch, triangles.Triangles, positions));
+  }
+  if (edges && before != triangles.Points)
+  {
+    output->GetPointData()->AddArray(TurnVectors(edges, before, triangles.Points, triangles.Triangles));
   }
 }

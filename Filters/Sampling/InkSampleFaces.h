@@ -24,7 +24,7 @@ void InkRemoveFaces(vtkPolyData* samples);
 
 /// Writes samples of one mesh with all their arrays to `output`, moved to the same barycentric coordinates on
 /// another mesh with the same faces. `Radius` grows with the stretch of the surface around each sample, see
-/// ink::pointStretch.
+/// ink::pointStretch; `EdgeOffsets` turn and stretch with its triangle.
 /// @throws std::invalid_argument if the samples have no faces or if these do not fit the mesh
 void InkMoveSamples(vtkPolyData* mesh, vtkPolyData* samples, bool normals, int type, vtkPolyData* output);
 

@@ -111,7 +111,7 @@ std::string vtkInkSurfaceSampler::DescribeSampling()
   std::ostringstream all;
   all << std::hexfloat << this->Method << ' ' << this->Amount << ' ' << this->NumberOfSamples << ' '
       << this->SampleRadius << ' ' << this->CoverageSlack << ' ' << this->Seed << ' ' << this->ComputeNormals
-      << ' ' << this->ComputeRadius << ' ' << this->ComputePriority << ' '
+      << ' ' << this->ComputeRadius << ' ' << this->ComputePriority << ' ' << this->ComputeEdgeOffsets << ' '
       << density->Get(vtkDataObject::FIELD_ASSOCIATION()) << ' ' << (name ? name : "");
   return all.str();
 }
@@ -121,6 +121,12 @@ bool vtkInkSurfaceSampler::HasFirstSamples(vtkInformation* inputInfo)
   // Without time steps, changes of the input are followed.
   const bool sameSeries = !HasTimeSteps(inputInfo) || this->SampledUpstream == this->GetUpstreamMTime();
   return this->FirstSamples && this->SampledAs == this->DescribeSampling() && sameSeries;
+}
+
+bool vtkInkSurfaceSampler::HasSamplesOfFaces(vtkPolyData* mesh)
+{
+  const auto fit = [mesh](vtkPolyData* samples) { return samples && InkAreSamplesOf(samples, mesh); };
+  return this->FollowDeformation && mesh && (fit(this->FirstSamples) || fit(this->LaterSamples));
 }
 
 int vtkInkSurfaceSampler::RequestUpdateExtent(
@@ -192,8 +198,7 @@ void vtkInkSurfaceSampler::FollowMesh(vtkInformation* request, vtkInformation* i
   {
     return;
   }
-  if (!InkAreSamplesOf(this->FirstSamples, mesh) &&
-    !(this->LaterSamples && InkAreSamplesOf(this->LaterSamples, mesh)))
+  if (!this->HasSamplesOfFaces(mesh))
   {
     // Without time steps, the first mesh is never requested again.
     const bool temporal = HasTimeSteps(inputInfo);

@@ -219,6 +219,12 @@ public:
    */
   int GetNumberOfSamplings() { return this->NumberOfSamplings; }
 
+  /**
+   * Whether FollowDeformation is on and there are samples of a mesh with these faces, which are moved to it
+   * as long as the parameters of the sampling stay.
+   */
+  bool HasSamplesOfFaces(vtkPolyData* mesh);
+
   ///@{
   /**
    * Point clouds: the number of neighbors, including the point itself, that a normal is estimated from. 3 to

@@ -141,6 +141,7 @@ private:
   bool UseHiddenColor = false;
   std::vector<double> HiddenColor{ 0.2, 0.4, 0.7 };
   vtkIdType NumberOfSamples = -1;
+  vtkIdType AutomaticSamples = 0; ///< of the mesh that SurfaceSampler follows; 0: of none yet
   InkColorArray Colors;
 };
 

@@ -6,12 +6,16 @@
 #include "vtkInkIsoSurfaceSampler.h"
 #include "vtkInkSplattingLinesMapper.h"
 #include "vtkInkSplattingLinesStyle.h"
+#include "vtkInkSurfaceSampler.h"
 
 #include "vtkActor.h"
+#include "vtkCubeSource.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMapper.h"
 #include "vtkPointData.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +44,37 @@ TEST(SplattingLinesStyle, LinesOfImagesChooseAnIsoValue)
   style->SetParameterAsString("IsoValues", "150,50");
   ASSERT_TRUE(style->Make(MakeBall()));
   EXPECT_GT(CountOf(style), 2 * inner);
+}
+
+TEST(SplattingLinesStyle, SamplesFollowMeshesThatTurn)
+{
+  // The box around it is larger then, and so fewer samples have room by that.
+  vtkNew<vtkCubeSource> cube;
+  vtkNew<vtkTransform> turn;
+  vtkNew<vtkTransformPolyDataFilter> turned;
+  turned->SetInputConnection(cube->GetOutputPort());
+  turned->SetTransform(turn);
+  vtkNew<vtkInkSplattingLinesStyle> style;
+  vtkInkSurfaceSampler* sampler = style->GetSurfaceSampler();
+  std::array<vtkIdType, 2> counts;
+  for (const bool follows : { false, true })
+  {
+    sampler->SetFollowDeformation(follows);
+    for (const bool isTurned : { false, true })
+    {
+      turn->Identity();
+      turn->RotateZ(isTurned ? 45.0 : 0.0);
+      turned->Update();
+      ASSERT_TRUE(style->Make(turned->GetOutput()));
+      counts[isTurned ? 1 : 0] = CountOf(style);
+    }
+    EXPECT_EQ(counts[0] == counts[1], follows) << counts[0] << " and " << counts[1];
+  }
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 3);
+  // Other faces are sampled anew.
+  ASSERT_TRUE(style->Make(MakeMesh()));
+  EXPECT_EQ(CountOf(style), 200000);
+  EXPECT_EQ(sampler->GetNumberOfSamplings(), 4);
 }
 
 TEST(SplattingLinesStyle, LinesOfMeshesAndPoints)

@@ -4,19 +4,25 @@
 #include "InkTestWeldedBox.h"
 
 #include "vtkCellData.h"
+#include "vtkCubeSource.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkInkStippleGenerator.h"
 #include "vtkInkSurfaceSampler.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 TEST(SamplesOfSharpEdges, StipplesHaveTheColorsOfSplitMeshes)
 {
@@ -86,4 +92,44 @@ TEST(SamplesOfSharpEdges, KnowWhereTheirSideEnds)
       offsets->GetComponent(i, 2) != 0.0;
   }
   EXPECT_GT(near, 200);
+}
+
+TEST(SamplesOfSharpEdges, KnowWhereItEndsOnceMoved)
+{
+  vtkNew<vtkCubeSource> box;
+  vtkNew<vtkInkSurfaceSampler> sampler;
+  sampler->SetInputConnection(box->GetOutputPort());
+  sampler->SetNumberOfSamples(500);
+  sampler->KeepFacesOn();
+  sampler->ComputeEdgeOffsetsOn();
+  sampler->Update();
+  vtkPolyData* samples = sampler->GetOutput();
+  vtkDataArray* before = samples->GetPointData()->GetArray("EdgeOffsets");
+  ASSERT_TRUE(before);
+  vtkNew<vtkTransform> turn;
+  turn->RotateWXYZ(50.0, 1.0, 2.0, 3.0);
+  turn->Scale(2.0, 2.0, 2.0);
+  turn->Translate(7.0, 0.0, 0.0);
+  vtkNew<vtkTransformPolyDataFilter> turned;
+  turned->SetInputConnection(box->GetOutputPort());
+  turned->SetTransform(turn);
+  vtkNew<vtkInkSurfaceSampler> mover;
+  mover->SetInputConnection(turned->GetOutputPort());
+  mover->SetFirstFrameData(samples);
+  mover->Update();
+  vtkDataArray* moved = mover->GetOutput()->GetPointData()->GetArray("EdgeOffsets");
+  ASSERT_TRUE(moved);
+  ASSERT_EQ(moved->GetNumberOfTuples(), before->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < moved->GetNumberOfTuples(); ++i)
+  {
+    std::array<double, 6> vectors;
+    std::array<double, 6> expected;
+    before->GetTuple(i, expected.data());
+    moved->GetTuple(i, vectors.data());
+    for (std::size_t v = 0; v < 6; v += 3)
+    {
+      turn->TransformVector(&expected[v], &expected[v]);
+      ASSERT_LT(vtkMath::Distance2BetweenPoints(&vectors[v], &expected[v]), 1e-10) << "sample " << i;
+    }
+  }
 }
