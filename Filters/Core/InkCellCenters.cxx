@@ -206,10 +206,11 @@ vtkInformationVector** InkPointInput::Take(vtkAlgorithm* filter, vtkInformationV
     this->Made = nullptr;
     return input;
   }
-  if (!this->Made || this->From != image || this->Time != image->GetMTime())
+  if (!this->Made || this->From != image || this->Array != array || this->Time != image->GetMTime())
   {
     this->Made = InkWithPointValues(image, array);
     this->From = image;
+    this->Array = array;
     this->Time = image->GetMTime();
   }
   vtkNew<vtkInformation> replaced;

@@ -53,7 +53,7 @@ VTKINKFILTERSCORE_EXPORT void InkMoveToCellCenters(vtkImageData* frame);
 
 /// What a filter takes of images: points, also of images that have values in cells alone, or whose array to
 /// process 0 is one of cells, or of whose arrays none is active. What is made of an image is kept as long as
-/// the image stays as it is, so that what a filter keeps for an image stays valid.
+/// the image and the array to process stay as they are, so that what a filter keeps for an image stays valid.
 class VTKINKFILTERSCORE_EXPORT InkPointInput
 {
 public:
@@ -74,6 +74,7 @@ private:
   std::vector<vtkInformationVector*> All;
   vtkSmartPointer<vtkImageData> Made;
   vtkWeakPointer<vtkImageData> From;
+  std::string Array;
   vtkMTimeType Time = 0;
 };
 

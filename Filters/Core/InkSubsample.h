@@ -20,8 +20,9 @@ struct InkSubsampledAxis
   double Step = 1.0;        ///< how far apart they are
 };
 
-/// Takes them on all threads (vtkExtractVOI takes one), with all point arrays of numbers that have as many as
-/// the image has points; active scalars stay so. The image itself where it has arrays of cells.
+/// Takes them on all threads (vtkExtractVOI takes one), with all arrays of numbers that have as many as the
+/// image has points, or cells; active scalars stay so. A cell is the one in the middle of those that it
+/// covers.
 VTKINKFILTERSCORE_EXPORT vtkSmartPointer<vtkImageData> InkSubsample(
   vtkImageData* image, const std::array<InkSubsampledAxis, 3>& axes);
 

@@ -13,7 +13,7 @@ class vtkImageData;
 /**
  * Every point, or every second, third, ... along each axis, so that no more than `mostPoints` are left, which
  * are as evenly spaced as that goes. They stand where they do in the image, with all arrays of numbers. The
- * image itself where it has no more points, or arrays of cells.
+ * image itself where it has no more points.
  */
 vtkSmartPointer<vtkImageData> vtkInkCoarseImage(vtkImageData* image, vtkIdType mostPoints);
 

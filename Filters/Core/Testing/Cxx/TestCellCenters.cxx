@@ -6,6 +6,8 @@
 #include "InkImageGrid.h"
 
 #include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAlgorithm.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -140,6 +142,31 @@ TEST(CellCenters, ValuesOfPointsAreTakenWhereThereAreAny)
   EXPECT_FALSE(InkTakesCells(image, "cells"));
   vtkNew<vtkImageData> empty;
   EXPECT_FALSE(InkTakesCells(empty));
+}
+
+TEST(CellCenters, WhatIsMadeForOneArrayIsNotTakenForAnother)
+{
+  const auto image = Image();
+  image->GetPointData()->AddArray(Numbers("points", image->GetNumberOfPoints()));
+  vtkNew<vtkInformation> info;
+  info->Set(vtkDataObject::DATA_OBJECT(), image);
+  vtkNew<vtkInformationVector> inputs;
+  inputs->Append(info);
+  vtkInformationVector* input = inputs;
+  vtkNew<vtkDataSetAlgorithm> filter;
+  InkPointInput taker;
+  const auto take = [&](const char* array)
+  {
+    filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, array);
+    return vtkImageData::GetData(taker.Take(filter, &input)[0]);
+  };
+  for (int n = 0; n < 2; ++n)
+  {
+    EXPECT_EQ(take("")->GetNumberOfPoints(), image->GetNumberOfPoints());
+    vtkImageData* cells = take("cells");
+    EXPECT_EQ(cells->GetNumberOfPoints(), image->GetNumberOfCells());
+    EXPECT_EQ(take("cells"), cells) << "kept";
+  }
 }
 
 TEST(CellCenters, ExtentsOfPointsAndCells)

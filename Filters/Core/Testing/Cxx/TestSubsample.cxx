@@ -107,12 +107,36 @@ TEST(Subsample, ArraysThatAreTooShortAreLeftOut)
   EXPECT_EQ(some->GetPointData()->GetNumberOfArrays(), 2);
 }
 
-TEST(Subsample, ImagesWithArraysOfCellsStayAsTheyAre)
+TEST(Subsample, CellsAreThoseInTheMiddle)
 {
   const auto image = MakeImage();
-  vtkNew<vtkDoubleArray> ofCells;
-  ofCells->SetName("cells");
-  ofCells->SetNumberOfTuples(image->GetNumberOfCells());
-  image->GetCellData()->AddArray(ofCells);
-  EXPECT_EQ(InkSubsample(image, {}), image);
+  vtkNew<vtkDoubleArray> middles;
+  middles->SetName("middles");
+  middles->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < image->GetNumberOfCells(); ++i)
+  {
+    double box[6];
+    image->GetCellBounds(i, box);
+    middles->InsertNextTuple3(0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), 0.5 * (box[4] + box[5]));
+  }
+  image->GetCellData()->AddArray(middles);
+  const std::array<InkSubsampledAxis, 3> axes = { { { { 0, 3, 6 }, 0.0, 3.0 }, { { 6 }, 6.0, 1.0 },
+    { { 0, 1, 2, 3, 4 }, 0.0, 1.0 } } };
+  const auto some = InkSubsample(image, axes);
+  vtkDataArray* taken = some->GetCellData()->GetArray("middles");
+  ASSERT_TRUE(taken);
+  ASSERT_EQ(taken->GetNumberOfTuples(), 2 * 4);
+  ASSERT_EQ(some->GetNumberOfCells(), 2 * 4);
+  // 0 to 3 has its middle in the second cell, 3 to 6 in the fifth; of y there is the last alone.
+  for (int z = 0; z < 4; ++z)
+  {
+    for (int x = 0; x < 2; ++x)
+    {
+      double expected[3];
+      image->GetCellData()->GetArray("middles")->GetTuple(1 + 3 * x + 8 * (5 + 6 * z), expected);
+      double found[3];
+      taken->GetTuple(x + 2 * z, found);
+      EXPECT_EQ(std::to_array(found), std::to_array(expected)) << x << ", " << z;
+    }
+  }
 }
