@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec2.hpp>
 
 #include <algorithm>
 #include <array>
@@ -136,6 +137,9 @@ std::vector<glm::vec3> splitNormals(
   std::vector<glm::dvec3> ofPoints(sums.size(), glm::dvec3(0.0)); // sums along seams
   std::vector<std::uint8_t> isOneOfSeveral(sums.size(), 0);
   std::vector<std::uint8_t> isOfSeam(sums.size(), 0);
+  // Of the normals of each part, how much goes with the triangles' own, and how much might.
+  std::vector<glm::dvec2> votes(mesh.points.size(), glm::dvec2(0.0));
+  DisjointSets parts(mesh.points.size());
   for (std::size_t t = 0; t < split.triangles.size(); ++t)
   {
     const Triangle& fans = split.triangles[t];
@@ -150,6 +154,8 @@ std::vector<glm::vec3> splitNormals(
       sides[i] = glm::normalize(mesh.points[mesh.triangles[t][(i + 1) % 3]] - mesh.points[point]);
       fanOf[point] = fanOf[point] == none ? fans[i] : fanOf[point];
       ofPoints[fans[i]] += glm::dvec3(normals[point]);
+      parts.join(point, mesh.triangles[t][0]);
+      parts.join(point, split.sources[fans[i]]);
       isOfSeam[fans[i]] |= split.sources[fans[i]] != point ? 1 : 0;
       if (fanOf[point] != fans[i])
       {
@@ -161,8 +167,30 @@ std::vector<glm::vec3> splitNormals(
     for (std::size_t i = 0; i < 3 && size > 0.0; ++i)
     {
       sums[fans[i]] += angleBetween(sides[i], -sides[(i + 2) % 3]) / size * area;
+      const double cosine = glm::dot(area / size, glm::dvec3(normals[mesh.triangles[t][i]]));
+      if (std::isfinite(cosine))
+      {
+        votes[mesh.triangles[t][i]] += glm::dvec2(cosine, std::abs(cosine));
+      }
     }
   }
+  for (std::uint32_t point = 0; point < votes.size(); ++point)
+  {
+    if (const std::uint32_t part = parts.least(point); part != point)
+    {
+      votes[part] += votes[point];
+    }
+  }
+  // What is bent by more than a right angle may have a mean that lies behind one of its sides, whose own it
+  // cannot tell then; but triangles that all run the same way round can.
+  std::vector<std::uint8_t> sidesOf(mesh.points.size(), 0); // 1: with the triangles of a fan, 2: against
+  for (std::size_t i = 0; i < sums.size(); ++i)
+  {
+    const std::uint32_t point = split.sources[i];
+    const double with = isOneOfSeveral[i] != 0 ? glm::dot(sums[i], glm::dvec3(normals[point])) : 0.0;
+    sidesOf[point] |= with > 0.0 ? 1 : with < 0.0 ? 2 : 0;
+  }
+  constexpr double nearlyAll = 0.8;
   std::vector<glm::vec3> result = split.spread(normals);
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
@@ -173,7 +201,11 @@ std::vector<glm::vec3> splitNormals(
     if ((isOneOfSeveral[i] != 0 || isOfSeam[i] != 0) && length > rounding)
     {
       const glm::vec3 mean(sum / length);
-      result[i] = glm::dot(mean, result[i]) < 0.0f ? -mean : mean;
+      const glm::dvec2 vote = votes[parts.least(split.sources[i])];
+      const bool isBehind = sidesOf[split.sources[i]] == 3 && std::abs(vote.x) > nearlyAll * vote.y
+        ? vote.x < 0.0
+        : glm::dot(mean, result[i]) < 0.0f;
+      result[i] = isBehind ? -mean : mean;
     }
   }
   return result;

@@ -60,7 +60,8 @@ FeatureSplit splitAtFeatures(const MeshNavigation& navigation);
 /// The unit normals of the split mesh's points. Where a point of the mesh has one fan, that is its own
 /// normal, or the mean of all that share the fan along a seam. Where it has several, its normal is of none of
 /// them: theirs are the means of their triangles, weighted by their angles at the point, so that long thin
-/// ones count no more than others, to the side of the point's own.
+/// ones count no more than others, to the side of the point's own, or, where that is not the same one for
+/// all, to that of nearly all other normals of its part, if there is one.
 /// @param mesh that was split
 /// @param normals one per point of the mesh, unit length or zero
 std::vector<glm::vec3> splitNormals(

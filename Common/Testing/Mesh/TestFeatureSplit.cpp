@@ -200,6 +200,43 @@ TEST(FeatureSplit, NormalsOfLongThinTrianglesCountByAngle)
   }
 }
 
+TEST(FeatureSplit, MeansBehindOneOfTheirSidesAreNotFollowed)
+{
+  // Around the rims, as around knife edges, the mean lies behind the cap.
+  const double length = 3.0;
+  const Mesh mesh = cylinder(37, 20, length, true);
+  std::vector<glm::vec3> normals;
+  for (const glm::dvec3& p : mesh.points)
+  {
+    const glm::vec3 radial(static_cast<float>(p.x), static_cast<float>(p.y), 0.0f);
+    normals.push_back(p.z == 0.0 ? 0.6f * radial + glm::vec3(0.0f, 0.0f, 0.8f)
+        : p.z == length          ? 0.6f * radial - glm::vec3(0.0f, 0.0f, 0.8f)
+                                 : radial);
+  }
+  const FeatureSplit split = splitOf(mesh);
+  for (const float sign : { 1.0f, -1.0f })
+  {
+    const std::vector<glm::vec3> found = splitNormals(split, mesh.view(), normals);
+    int caps = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      const glm::dvec3& p = mesh.points[split.sources[i]];
+      if (std::abs(found[i].z) > 0.5f)
+      {
+        ++caps;
+        EXPECT_GT(sign * found[i].z * (p.z > 0.0 ? 1.0f : -1.0f), 0.99f) << i;
+      }
+      else
+      {
+        EXPECT_GT(sign * glm::dot(glm::dvec3(found[i]), glm::dvec3(p.x, p.y, 0.0)), 0.99) << i;
+      }
+    }
+    EXPECT_EQ(caps, 2 * 37);
+    // Inwards, as of a bore.
+    std::transform(normals.begin(), normals.end(), normals.begin(), [](const glm::vec3& n) { return -n; });
+  }
+}
+
 TEST(FeatureSplit, DegenerateMeshes)
 {
   EXPECT_TRUE(splitOf(Mesh()).sources.empty());
