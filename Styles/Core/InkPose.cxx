@@ -39,6 +39,10 @@ constexpr double ObliqueElevation = 20.0;
 /// from a meridian and the equator, say, and z is the height.
 constexpr double FarAway = 100.0;
 
+/// How many times as long as it is wide and high what is not seen along its length is: in perspective its
+/// near end would hide the rest.
+constexpr double Long = 3.0;
+
 /// The part of the mesh's height that touches the ground.
 constexpr double Ground = 0.02;
 
@@ -60,8 +64,10 @@ struct Rectangle
   }
 };
 
-/// The part of what lies over it that a base is at least for standing on it well.
+/// The part of what lies over it that a base is at least for standing on it well, and for standing on it at
+/// all: the lowest branches of a tree that lies are .02, the smallest of 17 bases of meshes with y up .045.
 constexpr double GoodBase = 0.2;
+constexpr double LeastBase = 0.03;
 
 /// The rectangle around what touches the ground.
 struct Base
@@ -73,7 +79,8 @@ struct Base
   /// where it stands on that, and no reason not to stand on four feet.
   bool isClearlyBetterThan(const Base& other) const
   {
-    return this->part > Clearly * other.part && !(other.part >= GoodBase && other.area > this->area);
+    return this->part > LeastBase && this->part > Clearly * other.part &&
+      !(other.part >= GoodBase && other.area > this->area);
   }
 };
 
@@ -112,12 +119,12 @@ bool HasMapCoordinates(vtkPolyData* mesh)
 
 std::string FindUp(vtkPolyData* mesh, const std::string& file)
 {
-  if (HasMapCoordinates(mesh))
+  const std::string suffix = vtksys::SystemTools::LowerCase(std::filesystem::path(file).extension().string());
+  if (suffix == ".gii" || HasMapCoordinates(mesh))
   {
     return "z";
   }
-  const std::string suffix = std::filesystem::path(file).extension().string();
-  const bool isObj = vtksys::SystemTools::LowerCase(suffix) == ".obj";
+  const bool isObj = suffix == ".obj";
   const Base y = BaseOf(mesh, 1);
   const Base z = BaseOf(mesh, 2);
   return isObj ? (z.isClearlyBetterThan(y) ? "z" : "y") : (y.isClearlyBetterThan(z) ? "y" : "z");
@@ -307,6 +314,19 @@ Areas SeenRectangles(const double b[6], const SideViews& views)
   return areas;
 }
 
+bool IsSeenAlongItsLength(const double b[6], const InkOrientation& view)
+{
+  const double size[3] = { b[1] - b[0], b[3] - b[2], b[5] - b[4] };
+  double across = 0.0;
+  double along = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    double& longest = view.Direction[axis] != 0.0 ? along : across;
+    longest = std::max(longest, size[axis]);
+  }
+  return along > Long * across;
+}
+
 } // namespace
 
 InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::string& up)
@@ -326,10 +346,11 @@ InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::strin
     std::transform(seen.begin(), seen.end(), areas.begin(),
       [outside](const Seen& side) { return outside >= 0.0 ? side.Front : side.Back; });
   }
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < Top; ++i)
+  const auto isAlong = [&](std::size_t i) { return IsSeenAlongItsLength(mesh->GetBounds(), views[i]); };
+  std::size_t best = isAlong(0) ? 1 : 0;
+  for (std::size_t i = best + 1; i < Top; ++i)
   {
-    best = areas[i] > Clearly * areas[best] ? i : best;
+    best = areas[i] > Clearly * areas[best] && !isAlong(i) ? i : best;
   }
   pose.View = Sides[best];
   const bool liesFlat =

@@ -19,11 +19,11 @@ struct InkPose
 ///
 /// Up is z, or y where the mesh rests on a clearly larger base then: what it touches the ground with, as a
 /// part of what lies below all of it; not, however, if it rests on more with z up, and on a fifth of that at
-/// least. OBJ files have y up unless z is clearly better. Map coordinates have z up: x and y are far away
-/// from the origin for its size, and z is not. Of the four sides it is shown from the one from which most of
-/// its polygons are seen, without those that are hidden: from the front unless another side shows clearly
-/// more. What lies flat, or on a map, is looked down on; where all that is seen is one flat face, it is seen
-/// at an angle.
+/// least. OBJ files have y up unless z is clearly better. GIFTI files, which are of brains, have z up, and so
+/// have map coordinates: x and y are far away from the origin for its size, and z is not. Of the four sides
+/// it is shown from the one from which most of its polygons are seen, without those that are hidden: from the
+/// front unless another side shows clearly more, and never along what is long. What lies flat, or on a map,
+/// is looked down on; where all that is seen is one flat face, it is seen at an angle.
 /// @param file its name, or none
 /// @param up where it is known; empty: it is not
 InkPose InkFindPose(vtkPolyData* mesh, const std::string& file, const std::string& up);
