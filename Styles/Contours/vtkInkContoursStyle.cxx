@@ -10,6 +10,7 @@
 #include "InkSilhouetteMethod.h"
 #include "InkStyleProcesses.h"
 #include "InkTextureFile.h"
+#include "InkTubes.h"
 #include "vtkInkSilhouetteMapper.h"
 
 #include "Curves/Contours/FeatureEdges.h"
@@ -126,7 +127,7 @@ std::string vtkInkContoursStyle::GetReasonAgainst(vtkDataObject* data)
   const auto isPoints = [](vtkDataSet* leaf)
   {
     auto* mesh = vtkPolyData::SafeDownCast(leaf);
-    return mesh && !InkHasPolygons(mesh);
+    return mesh && !InkHasPolygons(mesh) && !InkIsOfLines(mesh);
   };
   const bool hasPoints = !leaves.Stipples.empty() || !leaves.Others.empty();
   const bool onlyPoints =

@@ -10,6 +10,7 @@
 #include "InkPointNormals.h"
 #include "InkReportException.h"
 #include "InkStyleProcesses.h"
+#include "InkTubes.h"
 #include "vtkInkSurfaceSampler.h"
 
 #include "vtkAlgorithm.h"
@@ -345,11 +346,18 @@ std::function<bool(double)> vtkInkStyle::StartStep(const char* text)
 
 vtkSmartPointer<vtkPolyData> vtkInkStyle::GatherMesh(const InkLeaves& leaves)
 {
-  return this->TakeCurved(this->GetProcesses().Gather(leaves.MakeMeshes()));
+  return this->TakeSurface(this->GetProcesses().Gather(leaves.MakeMeshes()));
 }
 
-vtkSmartPointer<vtkPolyData> vtkInkStyle::TakeCurved(vtkPolyData* mesh)
+vtkSmartPointer<vtkPolyData> vtkInkStyle::TakeSurface(vtkPolyData* mesh)
 {
+  if (InkIsOfLines(mesh))
+  {
+    std::string note;
+    const vtkSmartPointer<vtkPolyData> tubes = InkMakeTubes(mesh, note);
+    this->AddNote(note);
+    return tubes;
+  }
   if (!this->CurvedMeshes || !InkHasPolygons(mesh))
   {
     return mesh;

@@ -354,11 +354,12 @@ protected:
   /// Begins a step of what is made. @return takes how far it is, from 0 to 1, and tells whether to go on
   std::function<bool(double)> StartStep(const char* text);
 
-  /// The surfaces of leaves as one mesh, curved (InkCurvedMesh) where that is asked for; of several processes
-  /// all on the first one. All take part.
+  /// The surfaces of leaves as one mesh, as TakeSurface makes it; of several processes all on the first one.
+  /// All take part.
   vtkSmartPointer<vtkPolyData> GatherMesh(const InkLeaves& leaves);
-  /// The mesh as it is to be drawn: curved, with a note if it had no normals, or itself.
-  vtkSmartPointer<vtkPolyData> TakeCurved(vtkPolyData* mesh);
+  /// The mesh as it is to be drawn: of lines tubes (InkTubes.h), with a note; curved where that is asked for
+  /// (InkCurvedMesh), with a note if it had no normals; or itself.
+  vtkSmartPointer<vtkPolyData> TakeSurface(vtkPolyData* mesh);
   /// Takes a mesh with point normals, those of one side at feature edges (InkWithFeatureNormals): its own
   /// ones, or an array "Normals", or, with a note, those of its polygons.
   /// @param piece becomes the mesh

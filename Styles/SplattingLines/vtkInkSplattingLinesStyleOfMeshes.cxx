@@ -69,7 +69,7 @@ std::string vtkInkSplattingLinesStyle::MakeOfMeshes(
   {
     return hasPoints > 0.0 && leaves.Problem.empty() ? std::string() : reason;
   }
-  mesh = this->NumberOfSamples == 0 ? mesh : this->TakeCurved(mesh); // 0: its own points
+  mesh = this->NumberOfSamples == 0 ? mesh : this->TakeSurface(mesh); // 0: its own points
   if (InkHasPolygons(mesh))
   {
     this->SetFramePoints(mesh->GetPoints());
@@ -121,7 +121,12 @@ std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
     sampled = InkWithFeatureNormals(mesh);
     sampler->KeepFacesOn();
   }
-  const vtkIdType count = this->NumberOfSamples > 0 ? this->NumberOfSamples : CountForMesh(mesh);
+  if (this->NumberOfSamples <= 0 && !(this->AutomaticSamples > 0 && sampler->HasSamplesOfFaces(sampled)))
+  {
+    this->AutomaticSamples = CountForMesh(mesh);
+  }
+  this->AutomaticSamples = this->NumberOfSamples > 0 ? 0 : this->AutomaticSamples;
+  const vtkIdType count = this->NumberOfSamples > 0 ? this->NumberOfSamples : this->AutomaticSamples;
   // Of many, the fastest that leaves no gaps, for which discs would have to be twice as large.
   const bool isProgressive = this->NumberOfSamples < 0 &&
     sampler->GetAmount() == vtkInkSurfaceSampler::NUMBER_OF_SAMPLES &&

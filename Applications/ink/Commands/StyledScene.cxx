@@ -50,16 +50,11 @@ bool isWithoutIsoValues(vtkInkStyle* style, const StyleArguments& parameters)
 InkParameterData kindOf(const Input& input)
 {
   auto* mesh = vtkPolyData::SafeDownCast(input.data);
-  return input.isVolume()          ? InkParameterData::Image
-    : mesh && InkHasPolygons(mesh) ? InkParameterData::Mesh
-                                   : InkParameterData::Points;
-}
-
-const char* nameOf(InkParameterData kind)
-{
-  return kind == InkParameterData::Image ? "a volume"
-    : kind == InkParameterData::Mesh     ? "a mesh"
-                                         : "points without polygons";
+  // Lines are drawn as tubes.
+  const bool isMesh = mesh && (InkHasPolygons(mesh) || mesh->GetNumberOfLines() > 0);
+  return input.isVolume() ? InkParameterData::Image
+    : isMesh              ? InkParameterData::Mesh
+                          : InkParameterData::Points;
 }
 
 } // namespace
@@ -100,7 +95,7 @@ StyledScene SceneMaker::make(const Input& input, Progress& progress)
 {
   requireSlices(input);
   vtkInkStyle* style = this->Options.style;
-  this->Options.parameters->checkData(kindOf(input), nameOf(kindOf(input)));
+  this->Options.parameters->checkData(kindOf(input));
   StyledScene scene;
   scene.style = style;
   style->SetMaximumMemory(input.isVolume() ? this->Options.input.memory.GetMebibytes() : 0);

@@ -276,13 +276,13 @@ bool StyleArguments::gives(const char* name) const
   return this->inFile.contains(parameter) || this->givenBy.contains(parameter);
 }
 
-void StyleArguments::checkData(InkParameterData data, const std::string& found) const
+void StyleArguments::checkData(InkParameterData data) const
 {
   for (const auto& [parameter, option] : this->givenBy)
   {
     if (parameter->Data != InkParameterData::Any && parameter->Data != data)
     {
-      throw UsageError(option + ": expected " + nameOf(parameter->Data) + ", found " + found);
+      throw UsageError(option + ": expected " + nameOf(parameter->Data) + ", found " + nameOf(data));
     }
   }
 }

@@ -54,8 +54,8 @@ public:
   /// @throws UsageError, Failure
   vtkSmartPointer<vtkInkStyle> make(double pixelScale);
 
-  /// Refuses options that need other data. @param found what the data is, in words. @throws UsageError
-  void checkData(InkParameterData data, const std::string& found) const;
+  /// Refuses options that need other data. @throws UsageError
+  void checkData(InkParameterData data) const;
 
   /// Whether the file or an option gives a parameter.
   bool gives(const char* name) const;
