@@ -111,24 +111,26 @@ draw("solid-stipples", wavelet, "Stipple", StippleIsoValue=150.0, StippleSource=
 for name in ("wavelet", "nii", "pvti"):
     draw(f"{name}-solid-illustration", volumes[name], "Illustration")
     draw(f"{name}-contours", volumes[name], "Contours", ContoursLineWidth=10)
+# As many marks as small pictures take: what is automatic makes them for large ones, too.
+FEW = {"IllustrationNumberOfSurfaceStipples": 20000, "IllustrationNumberOfSamples": 100000}
 # Borders of labels, and their colors.
 labels = Calculator(Input=volumes["pvti"], ResultArrayName="Labels", Function="floor(RTData/60)")
 draw("pvti-labels-solid-illustration", labels, "Illustration", IllustrationAutomaticIsoValue=0, IllustrationIsoValue=1.5,
-    IllustrationLabelMap="On", IllustrationLabelBorders="On", ColorArrayName=["POINTS", "Labels"])
+    IllustrationLabelMap="On", IllustrationLabelBorders="On", ColorArrayName=["POINTS", "Labels"], **FEW)
 # Thick slices, between which contours are interpolated.
 thick = OpenDataFile(f"{INPUT}/slices.pvti")
 thick.UpdatePipeline()
 SetActiveSource(thick)
 save_points("slices-sampler", InkIsoSurfaceSampler(Input=thick, Isosurfaces=[150.0], Smoothing=1, ShapeBasedInterpolation=1))
-draw("slices-solid-illustration", thick, "Illustration", IllustrationShapeBasedInterpolation="On")
+draw("slices-solid-illustration", thick, "Illustration", IllustrationShapeBasedInterpolation="On", **FEW)
 # What was enlarged is drawn as what it was made of.
 enlarged = OpenDataFile(f"{INPUT}/enlarged.pvti")
-draw("enlarged-solid-illustration", enlarged, "Illustration")
-draw("enlarged-blocks-solid-illustration", enlarged, "Illustration", IllustrationLabelMap="Off")
-draw("outlined-solid-illustration", wavelet, "Illustration", IllustrationSilhouettes=1)
+draw("enlarged-solid-illustration", enlarged, "Illustration", **FEW)
+draw("enlarged-blocks-solid-illustration", enlarged, "Illustration", IllustrationLabelMap="Off", **FEW)
+draw("outlined-solid-illustration", wavelet, "Illustration", IllustrationSilhouettes=1, **FEW)
 draw("outlined-lines", wavelet, "Splatting Lines", Phi=100, LinesSilhouettes=1)
 draw("see-through-solid-illustration", wavelet, "Illustration", IllustrationSeeThrough=1, IllustrationAutomaticIsoValue=0,
-    IllustrationIsoValue=200.0, IllustrationAutomaticOuterIsoValue=0, IllustrationOuterIsoValue=120.0)
+    IllustrationIsoValue=200.0, IllustrationAutomaticOuterIsoValue=0, IllustrationOuterIsoValue=120.0, **FEW)
 draw("image-lines", volumes["nii"], "Splatting Lines", Phi=100)
 # As fine as it is seen: from a quarter of the size on, in this view, to that of a view of all.
 draw("image-zoomed-lines", volumes["pvti"], "Splatting Lines", zoom=4, Phi=100)
@@ -146,9 +148,8 @@ for name, mesh in meshes.items():
 for name in ("sphere", "contour"):
     SetActiveSource(meshes[name])
     save_points(f"{name}-generator", InkStippleGenerator(Input=meshes[name], NumberOfSurfaceStipples=2000))
-# As many marks as small pictures take: what is automatic makes them for large ones, too.
 for name in ("pvtp", "contour-of-file"):
-    draw(f"{name}-solid-illustration", meshes[name], "Illustration", IllustrationNumberOfSurfaceStipples=20000)
+    draw(f"{name}-solid-illustration", meshes[name], "Illustration", **FEW)
 for name in ("pvtp", "sphere", "contour", "blocks"):
     draw(f"{name}-contours", meshes[name], "Contours", ContoursLineWidth=10, ContoursHiddenLines="Dashed")
 draw("pvti-line-art", volumes["pvti"], "Line Art", LineArtDensity=0, LineArtLineSpacing=16, LineArtSubdivision=1)
@@ -167,7 +168,7 @@ parts = Calculator(Input=wavelet, ResultArrayName="Parts", Function="sin(coordsX
 for name, properties in (("largest", {"LargestParts": 1}), ("larger", {"SmallestPart": 0.5})):
     for style, prefix, others in (
         ("Splatting Lines", "Lines", {"Phi": 100}),
-        ("Illustration", "Illustration", {}),
+        ("Illustration", "Illustration", FEW),
         ("Contours", "Contours", {"ContoursLineWidth": 10}),
     ):
         of_parts = {"AutomaticIsoValue": 0, "IsoValue": 0.4, **properties}
