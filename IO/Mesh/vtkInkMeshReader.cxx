@@ -33,7 +33,8 @@ struct Format
 constexpr Format formats[] = { { ".ply", "PLY mesh", io::readPly }, { ".obj", "OBJ mesh", io::readObj },
   { ".off", "OFF mesh", io::readOff }, { ".stl", "STL mesh", io::readStl },
   { ".vtp", "VTK XML mesh (.vtp)", io::readVtp }, { ".vtu", "VTK XML unstructured grid (.vtu)", io::readVtu },
-  { ".vtk", "legacy VTK mesh", io::readLegacyMesh }, { ".xyz", "XYZ points", io::readXyz } };
+  { ".vtk", "legacy VTK mesh", io::readLegacyMesh }, { ".xyz", "XYZ points", io::readXyz },
+  { ".pcd", "PCD points", io::readPcd }, { ".gii", "GIFTI surface (.gii)", io::readGifti } };
 
 /// Null if it is none.
 const Format* FormatOf(const char* fileName)

@@ -4,8 +4,9 @@
  * @brief   a mesh or points of any format as poly data, checked
  *
  * Reads PLY, OBJ, OFF, STL, VTK XML meshes (.vtp) and unstructured grids (.vtu), legacy VTK ones of both
- * (.vtk) and points as lines of numbers (.xyz: x, y and z, and perhaps a normal). Which format it is the
- * file's name tells.
+ * (.vtk), points as lines of numbers (.xyz: x, y and z, and perhaps a normal) and of the Point Cloud Library
+ * (.pcd), and GIFTI surfaces (.gii), in the coordinates of their points, in mm. Which format it is the file's
+ * name tells.
  *
  * Of an unstructured grid it is the outer surface, as of vtkGeometryFilter, with point and cell arrays: of
  * solid cells, of which curved (quadratic) faces are subdivided once; cells that are faces, lines or vertices
@@ -14,8 +15,9 @@
  *
  * Coordinates are double where the file's are written as text or in double, so that those far from the origin
  * keep their digits; of STL, which has float, equal corners become one point. Normals become the array
- * Normals, colors of bytes RGB or RGBA, and what else a PLY's vertices have arrays of its names. What of a
- * file was not used, or that a surface was made, say the notes.
+ * Normals, colors of bytes RGB or RGBA, and what else a PLY's vertices or a PCD's points have, and a GIFTI
+ * file has for each point, arrays of its names. What of a file was not used, or that a surface was made, say
+ * the notes.
  *
  * Whatever is in the file, it is read whole or refused in one error that says what was found and what was
  * expected; no cell has points that are not there, and a header is believed only as far as there are bytes

@@ -5,6 +5,7 @@ Corpus/FORMAT/seed-*. Needs numpy:  make_seeds.py [FOLDER]"""
 
 import gzip
 import io
+import struct
 import sys
 import tempfile
 import zlib
@@ -61,6 +62,16 @@ def rich_ply(path):
         "property list uchar uint vertex_index\nproperty uchar intensity\nelement edge 1\nproperty int vertex1\n"
         "property int vertex2\n",
         b"0 0 0 255 0 0\n1 0 0 0 255 0\n1 1 0 0 0 255\n0 1 0.5 9 9 9\n4 0 1 2 3 7\n3 2 1 0 8\n0 1\n")
+
+
+def arrays_gii(path):
+    """Point arrays, one of which has a name."""
+    named = ink_files.gifti_array("SHAPE", np.arange(3.0)).replace(
+        "<Data>", "<MetaData><MD><Name><![CDATA[Name]]></Name><Value><![CDATA[curv]]></Value></MD></MetaData><Data>")
+    arrays = [("POINTSET", np.eye(3)), ("TRIANGLE", np.array([[0, 1, 2]])), ("LABEL", np.arange(3)), ("VECTOR", np.eye(3)),
+              ("TIME_SERIES", np.arange(4.0))]
+    path.write_text('<?xml version="1.0"?>\n<!DOCTYPE GIFTI SYSTEM "gifti.dtd">\n<GIFTI Version="1.0">\n<MetaData/>'
+                    + "".join(ink_files.gifti_array(intent, values, "ASCII") for intent, values in arrays) + named + "</GIFTI>\n")
 
 
 def rich_obj(path):
@@ -212,6 +223,19 @@ SEEDS = {
     "vtu/polyhedron": lambda p: grid_vtu(p, TETRAHEDRON, "0 1 2 3 0 1 2", "4 7", "42 7", FACES),
     "vtu/new-polyhedron": lambda p: grid_vtu(p, TETRAHEDRON, "0 1 2 3 0 1 2", "4 7", "42 7", NEW_FACES, "2.3"),
     "vtu/lagrange": lambda p: grid_vtu(p, CUBE, "0 1 2 3 4 5 6 7", "8", "72"),
+    "gii/ascii": lambda p: ink_files.write_gifti(p, MESH, "ASCII"),
+    "gii/base64": lambda p: ink_files.write_gifti(p, MESH, "Base64Binary", big=True),
+    "gii/compressed": lambda p: ink_files.write_gifti(p, MESH, columns=True),
+    "gii/arrays": arrays_gii,
+    "pcd/ascii": lambda p: ink_files.write_pcd(p, MESH, "ascii"),
+    "pcd/binary": lambda p: ink_files.write_pcd(p, MESH, "binary"),
+    "pcd/compressed": lambda p: ink_files.write_pcd(p, MESH),
+    "pcd/repeats": lambda p: p.write_bytes(b"FIELDS x y z\nPOINTS 20\nDATA binary_compressed\n" + struct.pack("<II", 13, 240)
+                                           + b"\3\0\0\x80?" b"\xe0\xc8\3" b"\xa0\3" b"\xe0\x0b\3"),
+    "pcd/rich": lambda p: p.write_text(
+        "# .PCD v.5\nVERSION .5\nCOLUMNS x y z rgb label _ normal_x normal_y normal_z h\nSIZE 8 8 4 4 8 1 4 4 4 4\n"
+        "TYPE F F I F U U F F F F\nCOUNT 1 1 1 1 1 3 1 1 1 2\nWIDTH 1\nHEIGHT 2\nVIEWPOINT 0 0 0 1 0 0 0\nDATA ascii\n"
+        "0.5 1 2 2.3e-38 7 0 0 0 0 0 1 1 2\nnan nan 0 0 7 0 0 0 nan nan nan 1 2\n"),
     "xyz/plain": lambda p: p.write_text("# x y z\n0 0 0\n1,2,3\n+1e3 -.5 2\n"),
     "xyz/normals": lambda p: p.write_text("0 0 0 0 0 1\n1 2 3 0 1 0\n"),
     "nii/plain": lambda p: ink_files.write_nifti(p, VOLUME, AFFINE),

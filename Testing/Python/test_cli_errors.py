@@ -142,7 +142,7 @@ def test_unknown_type(refused, tmp_path):
     assert "'.docx'" in message and ".nii.gz" in message
 
 
-@pytest.mark.parametrize("suffix", [".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtr", ".vts", ".vtk", ".ply", ".obj", ".stl", ".vtp", ".vtu"])
+@pytest.mark.parametrize("suffix", [".nii", ".nii.gz", ".nrrd", ".nhdr", ".mha", ".mhd", ".vti", ".vtr", ".vts", ".vtk", ".ply", ".obj", ".stl", ".vtp", ".vtu", ".gii", ".pcd"])
 @pytest.mark.parametrize("content", [b"This is no volume.\n", bytes(range(256)) * 20, b"\n", b"\0" * 1000],
                          ids=["text", "bytes", "newline", "zeros"])
 def test_contents_that_are_something_else(ink, tmp_path, suffix, content):

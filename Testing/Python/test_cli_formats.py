@@ -287,7 +287,11 @@ MESHES = {
     "ascii.vtp": lambda p: ink_files.write_vtp(p, MESH, "ascii", normals=False),
     "appended.vtu": lambda p: ink_files.write_vtu(p, MESH),
     "ascii.vtu": lambda p: ink_files.write_vtu(p, MESH, "ascii"),
+    "compressed.gii": lambda p: ink_files.write_gifti(p, MESH),
+    "big.gii": lambda p: ink_files.write_gifti(p, MESH, "Base64Binary", big=True, columns=True),
+    "ascii.gii": lambda p: ink_files.write_gifti(p, MESH, "ASCII"),
 }
+POINTS = {f"{form}.pcd": lambda p, form=form: ink_files.write_pcd(p, MESH, form) for form in ("ascii", "binary", "binary_compressed")}
 
 
 # A sphere stands on no side of its own: OBJ's doubles would choose another one.
@@ -313,7 +317,19 @@ def test_every_mesh_format_gives_the_same_picture(name, tmp_path, picture, mesh_
     assert difference(drawn, mesh_reference) < 0.00015
 
 
-WHOLE = {**VOLUMES, **MESHES}
+@pytest.mark.parametrize("name", POINTS)
+def test_every_format_of_points_gives_the_same_samples(name, tmp_path, ink):
+    """As those of a PLY with the same points and normals."""
+    ink_files.write_ply(tmp_path / "reference.ply", (*MESH[:2], MESH[2][:0]), normals=True)
+    POINTS[name](tmp_path / name)
+    samples = []
+    for file in (tmp_path / "reference.ply", tmp_path / name):
+        assert ink("sample", file, tmp_path / "out.csv").code == 0
+        samples.append(ink_files.read_points(tmp_path / "out.csv"))
+    assert all(np.array_equal(samples[0][column], samples[1][column]) for column in ("x", "y", "z", "nx", "ny", "nz"))
+
+
+WHOLE = {**VOLUMES, **MESHES, **POINTS}
 SEVERAL_FILES = ("numbered.nhdr", "listed.mhd")
 
 

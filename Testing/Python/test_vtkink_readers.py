@@ -102,6 +102,7 @@ MESHES = {
     "m.stl": lambda p: ink_files.write_stl(p, MESH),
     "m.vtp": lambda p: ink_files.write_vtp(p, MESH),
     "m.vtu": lambda p: ink_files.write_vtu(p, MESH),
+    "m.gii": lambda p: ink_files.write_gifti(p, MESH),
 }
 
 

@@ -26,7 +26,7 @@ std::string InputArguments::fileHelp(const std::string& mesh)
   return "volume: .nii .nii.gz .hdr/.img .nrrd .nhdr .mha .mhd .mrc .map .ccp4 .mgz .npy .slc .cube .vti "
          ".vtr .vts .vtk .tif .dcm .raw" +
     std::string(vdbSuffix) + ", a folder of DICOM or TIFF files, or any file with --raw;\n" + mesh +
-    ": .ply .obj .off .stl .vtp .vtu .vtk .xyz";
+    ": .ply .obj .off .stl .vtp .vtu .vtk .gii .xyz .pcd";
 }
 
 void InputArguments::addFile(CLI::App* command, const std::string& mesh)

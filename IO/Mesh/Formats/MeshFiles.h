@@ -23,9 +23,11 @@ namespace ink::io
 /// @throws ReadError if it is not such a file or not whole, ReadAborted
 using MeshFileReader = vtkSmartPointer<vtkPolyData>(
   const std::filesystem::path& file, std::vector<std::string>& notes, const Progress& progress);
+MeshFileReader readGifti;
 MeshFileReader readLegacyMesh;
 MeshFileReader readObj;
 MeshFileReader readOff;
+MeshFileReader readPcd;
 MeshFileReader readPly;
 MeshFileReader readStl;
 MeshFileReader readVtp;

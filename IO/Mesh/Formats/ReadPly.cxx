@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshFiles.h"
 
-#include "OrderedBytes.h"
+#include "NumberTypes.h"
 #include "PlyHeader.h"
 #include "ReadError.h"
 #include "Words.h"
@@ -50,50 +50,6 @@ private:
   std::vector<std::size_t> Ends;
 };
 
-template <class T>
-double valueOf(const char* bytes, bool swapped)
-{
-  return static_cast<double>(valueFrom<T>(bytes, swapped));
-}
-
-double valueOf(const PlyType& type, const char* bytes, bool swapped)
-{
-  switch (type.vtkType)
-  {
-    case VTK_SIGNED_CHAR:
-      return valueOf<signed char>(bytes, swapped);
-    case VTK_UNSIGNED_CHAR:
-      return valueOf<unsigned char>(bytes, swapped);
-    case VTK_SHORT:
-      return valueOf<short>(bytes, swapped);
-    case VTK_UNSIGNED_SHORT:
-      return valueOf<unsigned short>(bytes, swapped);
-    case VTK_INT:
-      return valueOf<int>(bytes, swapped);
-    case VTK_UNSIGNED_INT:
-      return valueOf<unsigned int>(bytes, swapped);
-    case VTK_FLOAT:
-      return valueOf<float>(bytes, swapped);
-    default:
-      return valueOf<double>(bytes, swapped);
-  }
-}
-
-/// Whether a number that was written as text is one of type.
-bool fits(const PlyType& type, double value)
-{
-  if (type.vtkType == VTK_FLOAT || type.vtkType == VTK_DOUBLE)
-  {
-    return true;
-  }
-  const int bits = 8 * type.size;
-  const bool isSigned =
-    type.vtkType == VTK_SIGNED_CHAR || type.vtkType == VTK_SHORT || type.vtkType == VTK_INT;
-  const double least = isSigned ? -std::ldexp(1.0, bits - 1) : 0.0;
-  const double greatest = std::ldexp(1.0, isSigned ? bits - 1 : bits) - 1.0;
-  return value >= least && value <= greatest && value == std::floor(value);
-}
-
 /// Takes rows one after the other.
 class RowReader
 {
@@ -130,7 +86,7 @@ private:
     const auto take = [&line](const PlyType& type)
     {
       const auto number = numberIn(nextWord(line));
-      return number && fits(type, *number) ? number : std::nullopt;
+      return number && isNumberOf(type.vtkType, *number) ? number : std::nullopt;
     };
     for (const PlyProperty& property : element.properties)
     {
@@ -169,7 +125,7 @@ private:
         {
           return false;
         }
-        count = valueOf(*property.countType, this->Bytes.data(), this->Swapped);
+        count = numberAt(this->Bytes.data(), property.countType->vtkType, this->Swapped);
         this->Bytes.remove_prefix(size);
       }
       const auto size = static_cast<std::size_t>(property.type.size);
@@ -180,7 +136,7 @@ private:
       }
       for (auto left = static_cast<std::uint64_t>(count); left > 0; --left)
       {
-        row.add(valueOf(property.type, this->Bytes.data(), this->Swapped));
+        row.add(numberAt(this->Bytes.data(), property.type.vtkType, this->Swapped));
         this->Bytes.remove_prefix(size);
       }
       row.endProperty();

@@ -165,11 +165,11 @@ TEST(MeshReader, WhatCannotBeReadIsOneError)
   ExpectError({ "FileName is empty" }, "");
   ExpectError({ "'none.ply'", "no such file" }, "none.ply");
   ExpectError({ "the file is empty" }, Put("MeshReaderEmpty.obj", ""));
-  ExpectError({ "unknown type '.txt'; expected one of .ply .obj .off .stl .vtp .vtu .vtk .xyz" },
+  ExpectError({ "unknown type '.txt'; expected one of .ply .obj .off .stl .vtp .vtu .vtk .xyz .pcd .gii" },
     Put("MeshReader.txt", "words"));
   ExpectError({ "it holds no points" }, Put("MeshReaderNothing.xyz", "# nothing\n"));
   ExpectError({ "line 2 is '1 2'; expected 3 numbers" }, Put("MeshReaderLine.xyz", "1 2 3\n1 2\n"));
-  for (const char* suffix : { ".ply", ".obj", ".stl", ".vtp", ".vtu", ".vtk", ".xyz" })
+  for (const char* suffix : { ".ply", ".obj", ".stl", ".vtp", ".vtu", ".vtk", ".xyz", ".pcd", ".gii" })
   {
     ExpectError({ "cannot read", "MeshReaderWords" },
       Put(std::string("MeshReaderWords") + suffix, "v ery few words\n"));
