@@ -122,7 +122,7 @@ thick = OpenDataFile(f"{INPUT}/slices.pvti")
 thick.UpdatePipeline()
 SetActiveSource(thick)
 save_points("slices-sampler", InkIsoSurfaceSampler(Input=thick, Isosurfaces=[150.0], Smoothing=1, ShapeBasedInterpolation=1))
-draw("slices-solid-illustration", thick, "Illustration", IllustrationShapeBasedInterpolation="On", **FEW)
+draw("slices-solid-illustration", thick, "Illustration", IllustrationShapeBasedInterpolation="On")
 # What was enlarged is drawn as what it was made of.
 enlarged = OpenDataFile(f"{INPUT}/enlarged.pvti")
 draw("enlarged-solid-illustration", enlarged, "Illustration", **FEW)
