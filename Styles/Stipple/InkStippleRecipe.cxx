@@ -214,13 +214,6 @@ void InkStippleRecipe::StippleSurfaces(const InkLeaves& leaves)
   {
     return;
   }
-  if (!InkHasSurface(mesh) && mesh->GetNumberOfLines() > 0)
-  {
-    this->Say(
-      "Stipple draws nothing for lines without polygons. It needs an image, a mesh, points, or stipples of "
-      "Ink Stipple Generator");
-    return;
-  }
   if (!InkHasSurface(mesh))
   {
     vtkNew<vtkPolyData> discs;

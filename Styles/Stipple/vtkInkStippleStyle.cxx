@@ -3,7 +3,6 @@
 
 #include "InkAimLight.h"
 #include "InkColorMap.h"
-#include "InkHasSurface.h"
 #include "InkIsoSurface.h"
 #include "InkLeaves.h"
 #include "InkNullIfEmpty.h"
@@ -144,10 +143,7 @@ std::string vtkInkStippleStyle::GetReasonAgainst(vtkDataObject* data)
     return wanted + leaves.Problem;
   }
   const std::size_t count = leaves.Images.size() + leaves.Stipples.size() + leaves.Others.size();
-  auto* only = count == 1 && !leaves.Others.empty() ? vtkPolyData::SafeDownCast(leaves.Others[0]) : nullptr;
-  return count == 0                                                ? wanted + "data without points"
-    : only && !InkHasSurface(only) && only->GetNumberOfLines() > 0 ? wanted + "lines without polygons"
-                                                                   : std::string();
+  return count == 0 ? wanted + "data without points" : std::string();
 }
 
 std::string vtkInkStippleStyle::MakePieces(const Input& input)

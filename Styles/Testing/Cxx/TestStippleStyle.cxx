@@ -155,10 +155,10 @@ TEST(StippleStyle, PointsWithoutNormalsAreDiscsAsForLines)
   ASSERT_TRUE(ofDiscs->Draw(lines->GetPiece(0)));
   EXPECT_EQ(CountOf(style), CountOf(ofDiscs));
   EXPECT_GT(CountOf(style), 10000);
-  // Lines are no surface, nor points of one.
+  // Lines are drawn as tubes.
   vtkNew<vtkLineSource> line;
   line->Update();
-  EXPECT_FALSE(style->Accepts(line->GetOutput()));
+  EXPECT_TRUE(style->Accepts(line->GetOutput()));
 }
 
 TEST(StippleStyle, StipplesOfMeshesHaveThePicturesRoom)
