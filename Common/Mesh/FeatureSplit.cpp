@@ -26,6 +26,59 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b)
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+/// On which side of its triangles the normals of each connected part of a mesh are.
+class PartVotes
+{
+public:
+  PartVotes(const FeatureSplit& split, const TriangleMesh& mesh, std::span<const glm::vec3> normals)
+    : Parts(mesh.points.size())
+    , Votes(mesh.points.size(), glm::dvec2(0.0))
+  {
+    for (std::size_t t = 0; t < split.triangles.size(); ++t)
+    {
+      const Triangle& fans = split.triangles[t];
+      const auto& [a, b, c] = mesh.triangles[t];
+      if (fans[0] == fans[1])
+      {
+        continue;
+      }
+      const glm::dvec3 area = glm::cross(mesh.points[b] - mesh.points[a], mesh.points[c] - mesh.points[a]);
+      const double size = glm::length(area);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        const std::uint32_t point = mesh.triangles[t][i];
+        this->Parts.join(point, a);
+        this->Parts.join(point, split.sources[fans[i]]);
+        const double cosine = glm::dot(area / size, glm::dvec3(normals[point]));
+        if (std::isfinite(cosine))
+        {
+          this->Votes[point] += glm::dvec2(cosine, std::abs(cosine));
+        }
+      }
+    }
+    for (std::uint32_t point = 0; point < this->Votes.size(); ++point)
+    {
+      if (const std::uint32_t part = this->Parts.least(point); part != point)
+      {
+        this->Votes[part] += this->Votes[point];
+      }
+    }
+  }
+
+  /// 1 if nearly all normals of a point's part are on the side to which its triangles run
+  /// counterclockwise, -1 if on the other one, else 0.
+  int sideOf(std::uint32_t point)
+  {
+    constexpr double nearlyAll = 0.8;
+    const glm::dvec2& vote = this->Votes[this->Parts.least(point)];
+    return std::abs(vote.x) <= nearlyAll * vote.y ? 0 : vote.x < 0.0 ? -1 : 1;
+  }
+
+private:
+  DisjointSets Parts;
+  std::vector<glm::dvec2> Votes; ///< sums of cosines, and of their magnitudes, of points, then of parts
+};
+
 } // namespace
 
 void cutFeatures(MeshNavigation& navigation, double angle, double reach)
@@ -137,9 +190,6 @@ std::vector<glm::vec3> splitNormals(
   std::vector<glm::dvec3> ofPoints(sums.size(), glm::dvec3(0.0)); // sums along seams
   std::vector<std::uint8_t> isOneOfSeveral(sums.size(), 0);
   std::vector<std::uint8_t> isOfSeam(sums.size(), 0);
-  // Of the normals of each part, how much goes with the triangles' own, and how much might.
-  std::vector<glm::dvec2> votes(mesh.points.size(), glm::dvec2(0.0));
-  DisjointSets parts(mesh.points.size());
   for (std::size_t t = 0; t < split.triangles.size(); ++t)
   {
     const Triangle& fans = split.triangles[t];
@@ -154,8 +204,6 @@ std::vector<glm::vec3> splitNormals(
       sides[i] = glm::normalize(mesh.points[mesh.triangles[t][(i + 1) % 3]] - mesh.points[point]);
       fanOf[point] = fanOf[point] == none ? fans[i] : fanOf[point];
       ofPoints[fans[i]] += glm::dvec3(normals[point]);
-      parts.join(point, mesh.triangles[t][0]);
-      parts.join(point, split.sources[fans[i]]);
       isOfSeam[fans[i]] |= split.sources[fans[i]] != point ? 1 : 0;
       if (fanOf[point] != fans[i])
       {
@@ -167,18 +215,6 @@ std::vector<glm::vec3> splitNormals(
     for (std::size_t i = 0; i < 3 && size > 0.0; ++i)
     {
       sums[fans[i]] += angleBetween(sides[i], -sides[(i + 2) % 3]) / size * area;
-      const double cosine = glm::dot(area / size, glm::dvec3(normals[mesh.triangles[t][i]]));
-      if (std::isfinite(cosine))
-      {
-        votes[mesh.triangles[t][i]] += glm::dvec2(cosine, std::abs(cosine));
-      }
-    }
-  }
-  for (std::uint32_t point = 0; point < votes.size(); ++point)
-  {
-    if (const std::uint32_t part = parts.least(point); part != point)
-    {
-      votes[part] += votes[point];
     }
   }
   // What is bent by more than a right angle may have a mean that lies behind one of its sides, whose own it
@@ -190,7 +226,12 @@ std::vector<glm::vec3> splitNormals(
     const double with = isOneOfSeveral[i] != 0 ? glm::dot(sums[i], glm::dvec3(normals[point])) : 0.0;
     sidesOf[point] |= with > 0.0 ? 1 : with < 0.0 ? 2 : 0;
   }
-  constexpr double nearlyAll = 0.8;
+  constexpr std::uint8_t both = 3;
+  std::optional<PartVotes> votes;
+  if (std::find(sidesOf.begin(), sidesOf.end(), both) != sidesOf.end())
+  {
+    votes.emplace(split, mesh, normals);
+  }
   std::vector<glm::vec3> result = split.spread(normals);
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
@@ -201,10 +242,8 @@ std::vector<glm::vec3> splitNormals(
     if ((isOneOfSeveral[i] != 0 || isOfSeam[i] != 0) && length > rounding)
     {
       const glm::vec3 mean(sum / length);
-      const glm::dvec2 vote = votes[parts.least(split.sources[i])];
-      const bool isBehind = sidesOf[split.sources[i]] == 3 && std::abs(vote.x) > nearlyAll * vote.y
-        ? vote.x < 0.0
-        : glm::dot(mean, result[i]) < 0.0f;
+      const int voted = sidesOf[split.sources[i]] == both ? votes->sideOf(split.sources[i]) : 0;
+      const bool isBehind = voted != 0 ? voted < 0 : glm::dot(mean, result[i]) < 0.0f;
       result[i] = isBehind ? -mean : mean;
     }
   }

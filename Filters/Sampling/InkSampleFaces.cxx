@@ -3,6 +3,7 @@
 
 #include "Core/FormatNumber.h"
 #include "Core/Hash.h"
+#include "Core/IsFinite.h"
 #include "InkAllocate.h"
 #include "InkPlaceSamples.h"
 #include "Mesh/SurfaceStretch.h"
@@ -178,7 +179,7 @@ vtkSmartPointer<vtkDataArray> TurnVectors(vtkDataArray* vectors, const std::vect
     for (glm::dvec3& vector : pair)
     {
       vector = change * vector;
-      vector = std::isfinite(vector.x + vector.y + vector.z) ? vector : glm::dvec3(0.0);
+      vector = ink::isFinite(vector) ? vector : glm::dvec3(0.0);
     }
     turned->SetTuple(i, &pair[0].x);
   }

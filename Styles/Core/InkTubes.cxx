@@ -7,6 +7,7 @@
 
 #include "Core/FiniteBox.h"
 #include "Core/FormatNumber.h"
+#include "Core/KeyNumbers.h"
 #include "Core/WeldedPoints.h"
 #include "Curves/ChainSegments.h"
 
@@ -28,9 +29,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace
@@ -57,6 +55,8 @@ public:
     , Welded(this->MakeRelative())
     // Lines that have values of their own stay apart.
     , KeepsLines(lines->GetCellData()->GetNumberOfArrays() > 0)
+    , Nodes(static_cast<std::size_t>(lines->GetLines()->GetNumberOfConnectivityIds()))
+    , Known(static_cast<std::size_t>(lines->GetLines()->GetNumberOfConnectivityIds()))
   {
     const auto line = vtk::TakeSmartPointer(lines->GetLines()->NewIterator());
     for (line->GoToFirstCell(); !line->IsDoneWithTraversal(); line->GoToNextCell())
@@ -145,8 +145,11 @@ private:
   {
     const std::uint32_t a = this->Welded.of[static_cast<std::size_t>(from)];
     const std::uint32_t b = this->Welded.of[static_cast<std::size_t>(to)];
-    if (a != b && a != ink::WeldedPoints::none && b != ink::WeldedPoints::none &&
-      this->Known.emplace(std::minmax(a, b)).second)
+    if (a == b || a == ink::WeldedPoints::none || b == ink::WeldedPoints::none)
+    {
+      return;
+    }
+    if (this->Known.numberOf(Key(std::min(a, b), std::max(a, b))) == this->Segments.size())
     {
       this->Segments.push_back({ this->NodeOf(a, from, line), this->NodeOf(b, to, line) });
       this->LineOf.push_back(line);
@@ -155,13 +158,17 @@ private:
 
   std::uint32_t NodeOf(std::uint32_t position, vtkIdType point, vtkIdType line)
   {
-    const auto found = this->Nodes.try_emplace(
-      { this->KeepsLines ? line : 0, position }, static_cast<std::uint32_t>(this->Points.size()));
-    if (found.second)
+    const std::uint32_t node = this->Nodes.numberOf(Key(this->KeepsLines ? line : 0, position));
+    if (node == this->Points.size())
     {
       this->Points.push_back(point);
     }
-    return found.first->second;
+    return node;
+  }
+
+  static std::uint64_t Key(vtkIdType first, std::uint32_t second)
+  {
+    return static_cast<std::uint64_t>(first) << 32 | second;
   }
 
   bool TurnsBack(const vtkIdType* point) const
@@ -175,11 +182,11 @@ private:
   ink::FiniteBox Box;
   ink::WeldedPoints Welded;
   bool KeepsLines;
+  ink::KeyNumbers Nodes;              ///< by line, if lines are kept, and position
+  ink::KeyNumbers Known;              ///< segments, by their positions
   std::vector<ink::Segment> Segments; ///< of nodes
   std::vector<vtkIdType> LineOf;      ///< of each segment
   std::vector<vtkIdType> Points;      ///< of each node
-  std::map<std::pair<vtkIdType, std::uint32_t>, std::uint32_t> Nodes;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> Known;
 };
 
 /// The name of the array that says how thick lines are; empty: none does.

@@ -121,11 +121,14 @@ std::string vtkInkSplattingLinesStyle::SampleMesh(vtkPolyData* mesh)
     sampled = InkWithFeatureNormals(mesh);
     sampler->KeepFacesOn();
   }
-  if (this->NumberOfSamples <= 0 && !(this->AutomaticSamples > 0 && sampler->HasSamplesOfFaces(sampled)))
+  if (this->NumberOfSamples > 0)
+  {
+    this->AutomaticSamples = 0;
+  }
+  else if (this->AutomaticSamples == 0 || !sampler->HasSamplesOfFaces(sampled))
   {
     this->AutomaticSamples = CountForMesh(mesh);
   }
-  this->AutomaticSamples = this->NumberOfSamples > 0 ? 0 : this->AutomaticSamples;
   const vtkIdType count = this->NumberOfSamples > 0 ? this->NumberOfSamples : this->AutomaticSamples;
   // Of many, the fastest that leaves no gaps, for which discs would have to be twice as large.
   const bool isProgressive = this->NumberOfSamples < 0 &&

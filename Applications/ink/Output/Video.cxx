@@ -2,8 +2,7 @@
 #include "Video.h"
 
 #include "Errors.h"
-
-#include "vtksys/SystemTools.hxx"
+#include "ReadError.h"
 
 #include <array>
 #include <cerrno>
@@ -60,12 +59,6 @@ std::string findProgram(const std::string& name)
   return {};
 }
 
-/// The end of a file's name, in small letters.
-std::string endingOf(const fs::path& file)
-{
-  return vtksys::SystemTools::LowerCase(file.extension().string());
-}
-
 /// The shortest text that reads back as the same number.
 std::string exactText(double number)
 {
@@ -77,7 +70,7 @@ std::string exactText(double number)
 
 bool Video::isVideo(const fs::path& file)
 {
-  return encodings().contains(endingOf(file));
+  return encodings().contains(io::suffixOf(file));
 }
 
 Video::Video(const fs::path& file, int width, int height, double framesPerSecond)
@@ -103,7 +96,7 @@ Video::Video(const fs::path& file, int width, int height, double framesPerSecond
   std::vector<std::string> words{ program, "-v", "error", "-y", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s",
     std::to_string(width) + "x" + std::to_string(height), "-r", exactText(framesPerSecond), "-i", "pipe:0",
     "-an" };
-  const std::vector<std::string>& encoding = encodings().at(endingOf(file));
+  const std::vector<std::string>& encoding = encodings().at(io::suffixOf(file));
   words.insert(words.end(), encoding.begin(), encoding.end());
   words.push_back("/proc/self/fd/" + std::to_string(this->Encoded.get()));
   std::vector<char*> arguments;
